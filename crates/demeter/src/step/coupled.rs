@@ -87,7 +87,7 @@ pub struct Effort {
     pub iterations: u64,
     /// Steps whose search for contacts was repeated because surfaces bulged more than was foreseen.
     pub repeats: u64,
-    /// Contacts whose force began or ended with a jump, so that they lagged in that step.
+    /// Contacts whose force falls as their surfaces come nearer: where a pull begins or ends with a jump, they act for a share of the step.
     pub jumps: u64,
 }
 
@@ -143,11 +143,11 @@ fn each_chunk<'a>(
     neighbours: &'a Neighbours,
     work: impl Fn(ChunkPlace, &mut ContactChunk, Candidates<'a>) + Sync + Send,
 ) {
-    let place = |wall: bool, chunk: usize| ChunkPlace { wall, chunk };
+    let place = |wall: bool| ChunkPlace { wall };
     let pairs = (contacts.pairs.par_iter_mut().enumerate())
-        .map(|(c, chunk)| work(place(false, c), chunk, Candidates::Pairs(neighbours.chunk(c))));
+        .map(|(c, chunk)| work(place(false), chunk, Candidates::Pairs(neighbours.chunk(c))));
     let walls = (contacts.walls.par_iter_mut().enumerate())
-        .map(|(c, chunk)| work(place(true, c), chunk, Candidates::Walls(neighbours.wall_chunk(c))));
+        .map(|(c, chunk)| work(place(true), chunk, Candidates::Walls(neighbours.wall_chunk(c))));
     pairs.chain(walls).for_each(|()| ());
 }
 
@@ -326,20 +326,12 @@ impl Simulation {
                 neighbours: &self.neighbours,
                 segments: self.segments_here(),
                 instructions: self.instructions,
-                step: |number: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
-                    let at = ChunkPlace {
-                        wall: false,
-                        chunk: number,
-                    };
-                    chunk.deform(at, &scene);
+                step: |_: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
+                    chunk.deform(ChunkPlace { wall: false }, &scene);
                     chunk.evaluate_pairs(&scene, adder);
                 },
-                at_walls: |number: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
-                    let at = ChunkPlace {
-                        wall: true,
-                        chunk: number,
-                    };
-                    chunk.deform(at, &scene);
+                at_walls: |_: usize, chunk: &mut ContactChunk, adder: &mut Adder| {
+                    chunk.deform(ChunkPlace { wall: true }, &scene);
                     chunk.evaluate_walls(&scene, adder);
                 },
             };

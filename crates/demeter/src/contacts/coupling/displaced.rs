@@ -23,7 +23,6 @@ const LEAST_SHARE: f64 = 1e-2;
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct ChunkPlace {
     pub(crate) wall: bool,
-    pub(crate) chunk: usize,
 }
 
 /// Largest forces, which deviations are told from [N].
@@ -94,20 +93,13 @@ impl ContactChunk {
         }
         let count = self.len().max(self.coupling.delivered.len());
         self.coupling.delivered.resize_with(count, Delivered::default);
+        self.coupling.forget_falls();
         if converge {
             let Scratch {
-                undisplaced,
-                pulled,
-                lagging,
-                mixing,
-                ..
+                undisplaced, mixing, ..
             } = &mut *self.coupling;
             undisplaced.clear();
             undisplaced.extend(self.now.geometry.iter().map(|contact| contact.overlap));
-            for flags in [pulled, lagging] {
-                flags.clear();
-                flags.resize(self.now.len(), false);
-            }
             mixing.forget();
         }
     }
@@ -133,6 +125,7 @@ impl ContactChunk {
                 k += 1;
             }
             self.coupling.find_forces(first..k, &self.now, self.law, scene);
+            self.coupling.yield_at_falls(first..k, &self.now, self.law, scene);
             for k in first..k {
                 self.coupling.share[k] = self.deviation_share(k, at, scale);
             }
@@ -147,12 +140,8 @@ impl ContactChunk {
     }
 
     /// How far a contact's force is from the one tried, as a share of the largest force on its grains.
-    fn deviation_share(&mut self, k: usize, at: ChunkPlace, scale: Scale<'_>) -> f64 {
-        let coupling = &mut self.coupling;
-        coupling.pulled[k] |= coupling.answer[k] < 0.0;
-        if coupling.lagging[k] {
-            coupling.answer[k] = coupling.trial[k];
-        }
+    fn deviation_share(&self, k: usize, at: ChunkPlace, scale: Scale<'_>) -> f64 {
+        let coupling = &self.coupling;
         let deviation = (coupling.answer[k] - coupling.trial[k]).abs();
         if deviation == 0.0 {
             return 0.0;
@@ -204,27 +193,6 @@ impl ContactChunk {
         }
     }
 
-    /// Lets the contacts that are worst of all displace with their force of the step before if they flip between a pull and none:
-    /// where a force begins with a jump, the coupled equation may have no solution. Forces tried may pull where a law never
-    /// does, as they are mixed. Tells how many there were.
-    pub(crate) fn let_jumps_lag(&mut self, at: ChunkPlace, worst: f64, changes: &Changes) -> u64 {
-        let mut found = 0;
-        for k in 0..self.len() {
-            let pulls = self.coupling.answer[k].min(self.coupling.trial[k]) < 0.0;
-            let flips = pulls && self.coupling.pulled[k];
-            if self.coupling.share[k] != worst || !flips {
-                continue;
-            }
-            found += 1;
-            if !self.coupling.lagging[k] {
-                self.coupling.lagging[k] = true;
-                self.coupling.trial[k] = self.now.coupling[k].elastic;
-                self.note_change(k, at, changes);
-            }
-        }
-        found
-    }
-
     /// Puts the displacements into the geometry that the laws see, and watches that they stay within reason.
     pub(crate) fn deform(&mut self, at: ChunkPlace, scene: &Scene) {
         self.coupling.asleep.clear();
@@ -232,7 +200,10 @@ impl ContactChunk {
             let displacement = self.coupling.delivered[k].of_both();
             let contact = &mut self.now.geometry[k];
             let undisplaced = contact.overlap;
-            contact.overlap += displacement[0] + displacement[1];
+            contact.overlap = match self.coupling.falls.get(k) {
+                Some(fall) if fall.give > 0.0 => fall.overlap,
+                _ => undisplaced + (displacement[0] + displacement[1]),
+            };
             if !at.wall {
                 let shift = lever_shift(displacement);
                 contact.lever_i += shift;

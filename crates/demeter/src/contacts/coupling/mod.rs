@@ -7,8 +7,7 @@
 //! F_c = f(overlap_c + D_c),      D_c = sum over k of influence(k -> c) F_k
 //! ```
 //!
-//! [`Coupling::Converged`] solves it in every step, [`Coupling::Lagged`] takes the `F_k` of the step before; so does the
-//! former for a pull that begins with a jump, in the step in which no solution is found because of it. In both the
+//! [`Coupling::Converged`] solves it in every step, [`Coupling::Lagged`] takes the `F_k` of the step before. In both the
 //! laws then see `overlap + D` as the overlap, and levers that reach to the middle of the overlap of the displaced
 //! surfaces. A contact across a gap that displacements may close is in the table with no force, so that contacts come and
 //! go continuously.
@@ -19,6 +18,7 @@
 
 pub(crate) mod bulge;
 pub(crate) mod displaced;
+mod falls;
 pub(crate) mod kernels;
 pub(crate) mod mixing;
 mod site_list;
@@ -135,10 +135,10 @@ pub(crate) struct Scratch {
     /// Overlaps of the spheres, and of the displaced surfaces [m].
     undisplaced: Vec<f64>,
     overlap: Vec<f64>,
-    /// Whether the law has answered with a pull in this solution.
-    pulled: Vec<bool>,
-    /// Whether the displacements by a contact follow from its force of the step before after all.
-    lagging: Vec<bool>,
+    /// Answers and overlaps of the iteration before, where falls are watched for.
+    former: Vec<[f64; 2]>,
+    /// Contacts whose force falls as their surfaces come nearer; empty where there are none.
+    falls: Vec<Fall>,
     /// Whether the displaced surfaces do not meet.
     asleep: Vec<bool>,
     pub(crate) mixing: mixing::Memory,
@@ -188,6 +188,15 @@ impl Clone for Delivered {
     fn clone(&self) -> Self {
         Self([0, 1].map(|body| AtomicU64::new(self.0[body].load(Ordering::Relaxed))))
     }
+}
+
+/// A contact whose force falls as its surfaces come nearer, as where a pull begins with a jump.
+#[derive(Clone, Copy, Debug, Default)]
+struct Fall {
+    /// How far the surfaces are foreseen to part per pull [m/N]; 0 where the force does not fall.
+    give: f64,
+    /// Overlap at which the law is asked for its force [m].
+    overlap: f64,
 }
 
 /// How far a contact is from its solution.

@@ -6,11 +6,13 @@ use crate::contacts::coupling::{Coupling, DEFAULT_TOLERANCE};
 use crate::contacts::{ContactChunk, Contacts, Fault};
 use crate::simulation::Simulation;
 use crate::simulation::division::known_grains;
-use std::sync::atomic::{AtomicU64, Ordering};
 use std::sync::{Mutex, PoisonError};
 
-/// Iterations after which a force that jumps may be the reason for having no solution.
-const PATIENCE_WITH_JUMPS: usize = 30;
+/// Iteration from which on it is watched whether forces fall as surfaces come nearer.
+const FIRST_WATCHED: usize = 4;
+
+/// Iterations after which contacts whose forces do give way more, again and again.
+const PATIENCE_WITH_FALLS: usize = 30;
 
 /// Iterations after which forces are good enough that are as close to a solution as this.
 const PATIENCE_WITH_ROUNDING: usize = 100;
@@ -51,9 +53,10 @@ impl Simulation {
             };
             if worst > enough {
                 let mixes = progress.mixes(iteration, worst);
-                if iteration.is_multiple_of(PATIENCE_WITH_JUMPS) && self.let_jumps_lag(max_speed, worst) > 0 {
+                if iteration >= FIRST_WATCHED && self.watch_falls(iteration) {
                     progress = Progress::begin();
-                } else if !mixes {
+                }
+                if !mixes {
                     self.with_chunks(max_speed, |at, chunk, _, _, state| {
                         chunk.iterate(at, &state.changes, tolerance);
                     });
@@ -112,23 +115,28 @@ impl Simulation {
         self.any_of_all(moved)
     }
 
-    /// Lets the contacts lag that are farthest from a solution because their force jumps; tells how many.
-    fn let_jumps_lag(&mut self, max_speed: f64, worst: f64) -> u64 {
-        let (own, found) = (self.own_chunks(), AtomicU64::new(0));
-        self.with_chunks(max_speed, |at, chunk, _, _, state| {
-            let here = chunk.let_jumps_lag(at, worst, &state.changes);
-            if at.wall || own.contains(&at.chunk) {
-                found.fetch_add(here, Ordering::Relaxed);
-            }
-        });
-        let found = self.count_of_all(found.into_inner());
+    /// Looks for contacts whose force falls as their surfaces come nearer; tells whether forces are sought in another way now.
+    fn watch_falls(&mut self, iteration: usize) -> bool {
+        let once_more = iteration.is_multiple_of(PATIENCE_WITH_FALLS);
+        let own = self.own_chunks();
+        let (mut found, mut more) = (0, 0);
+        let pairs = self.contacts.pairs.iter_mut().enumerate();
+        let pairs = pairs.map(|(number, chunk)| (own.contains(&number), chunk));
+        let walls = self.contacts.walls.iter_mut().map(|chunk| (true, chunk));
+        for (counts, chunk) in pairs.chain(walls) {
+            let here = chunk.watch_falls(once_more);
+            found += if counts { here.found } else { 0 };
+            more += here.more;
+        }
+        let found = self.count_of_all(found);
         if let Some(state) = &mut self.coupling {
             state.memory.effort.jumps += found;
         }
-        if found > 0 {
+        let differs = found > 0 || once_more && self.count_of_all(more) > 0;
+        if differs {
             self.chunks_mut().for_each(|chunk| chunk.coupling.mixing.forget());
         }
-        found
+        differs
     }
 
     /// Goes on with mixed forces.

@@ -130,3 +130,75 @@ fn pulls_that_begin_with_a_jump_do_not_stop_a_run() {
         }
     }
 }
+
+/// Two grains press, a third faces one of them across a gap that the bulge of the press just closes; its pull on touch would draw the bulge
+/// back. In between is a share of the pull that leaves the surfaces touching: it grows from nothing to all with the gap.
+#[test]
+fn a_pull_that_draws_back_the_bulge_that_touched_acts_in_part() {
+    let full = 2.0 * PI * 0.004 * 0.5;
+    for coupling in [EXACT, Coupling::default()] {
+        let mut pulls = vec![];
+        for gap in (0..60).map(|k| 0.0105 + 1e-5 * f64::from(k)) {
+            let laws = Laws::of(law("dmt", &[("work_of_adhesion", 0.004)]));
+            let mut case = case_of(materials(Model::HalfSpace(1.0), (1.0, 0.5), (1.0, 0.5), &laws));
+            case.coupling = coupling;
+            case.share = 1e-6;
+            for y in [0.0, 1.8, -2.0 - gap] {
+                case.grain(1.0, DVec3::Y * y, DVec3::ZERO);
+            }
+            let mut sim = case.simulation();
+            sim.start()
+                .unwrap_or_else(|fault| panic!("{gap} {coupling:?}: {fault}"));
+            for _ in 0..3 {
+                sim.step().unwrap_or_else(|fault| panic!("{gap} {coupling:?}: {fault}"));
+            }
+            let pull = found(&sim).iter().map(|contact| contact.elastic).fold(0.0, f64::min);
+            pulls.push(pull / full);
+        }
+        assert!(pulls[0] < -0.99 && pulls[59] == 0.0, "{coupling:?}");
+        let changes = pulls.windows(2).map(|two| two[1] - two[0]);
+        let largest = changes.fold(0.0, |most, change| {
+            assert!(change > -1e-3, "{coupling:?} {change}");
+            f64::max(most, change)
+        });
+        assert!(
+            largest < 0.1,
+            "{coupling:?}: from one gap to the next the pull changes by a share of {largest}"
+        );
+    }
+}
+
+/// Largest residual of the books of five grains that collide and stick, with steps of this share of the shortest time scale.
+fn residual_of_five(share: f64) -> f64 {
+    let laws = Laws::of(law("dmt", &[("work_of_adhesion", 0.004)]));
+    let mut case = case_of(materials(Model::HalfSpace(1.0), (1.0, 0.5), (1.0, 0.5), &laws));
+    case.coupling = Coupling::Converged { tolerance: 1e-9 };
+    case.share = share;
+    let grains = [
+        (1.0, [0.0, 0.0, 0.0], [0.0, 0.0, 0.0]),
+        (1.0, [2.05, 0.1, 0.0], [-0.05, 0.02, 0.0]),
+        (0.9, [-2.2, 0.0, 0.1], [0.05, 0.0, 0.03]),
+        (1.1, [0.0, 2.1, 0.2], [0.0, -0.06, -0.03]),
+        (1.0, [0.1, -2.15, 0.0], [0.03, 0.04, 0.0]),
+    ];
+    for (radius, place, velocity) in grains {
+        case.grain(radius, DVec3::from_array(place), DVec3::from_array(velocity));
+    }
+    let mut sim = case.simulation();
+    let mut largest = 0.0;
+    while sim.time() < 20.0 {
+        sim.steps(20).unwrap_or_else(|fault| panic!("{share}: {fault}"));
+        largest = f64::max(largest, sim.energies().residual.abs());
+    }
+    largest
+}
+
+/// As a pull sets in without a jump where it would draw back the bulge that touched, no energy is lost there, and the books close the
+/// better the shorter the step.
+#[test]
+fn the_books_of_pulls_that_begin_with_a_jump_close_with_the_step() {
+    let [coarse, fine] = [1.4e-3, 3.5e-4].map(residual_of_five);
+    report("largest residual of five sticky grains", coarse);
+    report("largest residual of five sticky grains, a quarter of the step", fine);
+    assert!(fine < 0.5 * coarse && fine < 2e-5, "{coarse} {fine}");
+}
