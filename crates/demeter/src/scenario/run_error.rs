@@ -124,7 +124,7 @@ pub enum RunError {
         /// The stage.
         stage: String,
         /// Why.
-        source: ChangeError,
+        source: Box<ChangeError>,
     },
     /// A wall comes where a grain is.
     #[error("stage `{stage}`: {source}")]

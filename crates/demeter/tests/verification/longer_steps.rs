@@ -31,11 +31,14 @@ fn collide(integrator: Integrator, share: f64, laws: &Laws, normal: DVec3, phase
     sim.grains().velocity[b] - sim.grains().velocity[a]
 }
 
+/// Laws for a restitution.
+type OfRestitution = fn(f64) -> Laws;
+
 /// Largest error of the restitution at a step, over laws, restitutions and the phase of the step.
 fn largest_error(integrator: Integrator, share: f64) -> f64 {
     let phases = if full() { 64 } else { 8 };
     let mut largest = 0.0f64;
-    let laws: [(&str, fn(f64) -> Laws); 3] = [
+    let laws: [(&str, OfRestitution); 3] = [
         ("hertz-tsuji", Laws::hertz),
         ("linear", |e| Laws::linear(1e5, e)),
         ("linear, zero-force", |e| zero_force(Laws::linear(1e5, e))),

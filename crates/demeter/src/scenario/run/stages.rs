@@ -34,7 +34,7 @@ impl<'a> Runner<'a> {
         if let Some(gravity) = stage.gravity {
             self.sim.set_gravity(gravity).map_err(|source| RunError::Gravity {
                 stage: stage.name.clone(),
-                source,
+                source: Box::new(source),
             })?;
         }
         if let Some(plan) = stage.deformation {
