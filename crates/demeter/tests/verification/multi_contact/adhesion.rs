@@ -2,7 +2,7 @@
 
 use super::influence::Model;
 use super::scenes::*;
-use crate::cases::{Laws, law};
+use crate::cases::{Laws, law, report};
 use demeter::contacts::Coupling;
 use demeter::walls::{Motion, Shape};
 use demeter_physics::DVec3;
