@@ -36,6 +36,17 @@ pub enum CalibrateError {
     /// There is no usable time step.
     #[error("{0}")]
     TimeStep(#[from] TimeStepError),
+    /// The bodies overlap by so little that the engine computes little else than rounding.
+    #[error(
+        "the bodies overlap by {overlap:.3e} m at most, and the engine rounds their places to {rounding:.1e} m: it cannot tell what \
+         becomes of them; use a higher velocity, or leave out `--engine` where the impact is head-on"
+    )]
+    Rounding {
+        /// Largest overlap [m].
+        overlap: f64,
+        /// Rounding of places [m].
+        rounding: f64,
+    },
     /// The engine needs too many steps.
     #[error(
         "the bodies did not part within {steps} steps of {dt:.3e} s ({time:.3e} s): {}",

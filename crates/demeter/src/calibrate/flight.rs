@@ -9,7 +9,7 @@ use crate::scenario::{ImpactFile, Partner};
 use crate::simulation::{Energies, Setup, Simulation, Skin, WallPartner, shortest_time_scale};
 use crate::walls::{Motion, Shape, Wall};
 use demeter_physics::collision::{Moment, Outcome, Start};
-use demeter_physics::contact::normal::{Normal, NormalVisitor};
+use demeter_physics::contact::normal::{Normal, NormalInput, NormalVisitor};
 use demeter_physics::contact::{PairLaw, PairSize};
 use demeter_physics::integrator::Integrator;
 use glam::DVec3;
@@ -22,6 +22,9 @@ const RUN_UP: f64 = 2.5;
 
 /// Distance beyond touching at which bodies become candidates, as a share of the smaller radius.
 const SKIN_SHARE: f64 = 0.2;
+
+/// The largest overlap of bodies that part is at least so many times the rounding of their places.
+const ABOVE_ROUNDING: f64 = 1e5;
 
 /// Most steps of one flight.
 const MAX_STEPS: u64 = 5_000_000;
@@ -213,6 +216,11 @@ impl Launch<'_> {
         let velocity = [1, 2].map(|id| of(&grains.velocity, id));
         let spin = [1, 2].map(|id| of(&grains.angular_velocity, id));
         let (max_overlap, max_force) = track.largest();
+        let rounding = f64::EPSILON * (self.file.a.radius + self.file.b.body().map_or(0.0, |b| b.radius));
+        if outcome == Outcome::Rebound && max_overlap < ABOVE_ROUNDING * rounding {
+            let overlap = max_overlap;
+            return Err(CalibrateError::Rounding { overlap, rounding });
+        }
         let mut before = before;
         if let Partner::Fixed(_) = self.file.b {
             // the rest energy of a spin that is held is none of the collision's
@@ -226,7 +234,7 @@ impl Launch<'_> {
         }
         Ok(Flight {
             outcome,
-            contact_time: track.contact_time(dt, self.file.impact.start),
+            contact_time: track.contact_time(self),
             max_overlap,
             max_force,
             velocity,
@@ -251,13 +259,24 @@ fn reach(law: &PairLaw, size: PairSize, history: &[f64]) -> f64 {
     law.normal.visit(Reach(size, history))
 }
 
+/// By how much the total force is above the least that the law allows [N].
+struct BeyondLeast<'a>(&'a NormalInput, &'a [f64]);
+
+impl NormalVisitor for BeyondLeast<'_> {
+    type Output = f64;
+    fn visit<L: Normal>(self, law: &L) -> f64 {
+        let response = law.respond(self.0, &mut self.1[..law.history()].to_vec());
+        response.elastic + response.damping * self.0.rate - response.least
+    }
+}
+
 /// The steps of a flight.
 #[derive(Default)]
 struct Track {
     /// Steps from the last one before the first force to the first one after the last.
     moments: Vec<Moment>,
-    /// Overlap at which the contact ends, of every moment.
-    ends: Vec<f64>,
+    /// What the normal law remembers at every moment.
+    histories: Vec<Vec<f64>>,
     touched: bool,
     separating: bool,
 }
@@ -284,10 +303,10 @@ impl Track {
         let chunks = || sim.contacts.pairs.iter().chain(&sim.contacts.walls);
         let active: Option<&ContactChunk> = chunks().find(|chunk| chunk.engaged() > 0);
         let force = active.map_or(0.0, |chunk| chunk.normal_force(0));
-        let end = match active {
-            Some(chunk) => -reach(launch.law, launch.size(), chunk.history(0, stride)),
-            None => -reach(launch.law, launch.size(), &vec![0.0; launch.law.normal.info().history]),
-        };
+        let history = active.map_or_else(
+            || vec![0.0; launch.law.normal.info().history],
+            |chunk| chunk.history(0, stride).to_vec(),
+        );
         let moment = Moment {
             time: sim.time(),
             overlap,
@@ -296,10 +315,10 @@ impl Track {
         };
         if force == 0.0 && !self.touched {
             self.moments.clear();
-            self.ends.clear();
+            self.histories.clear();
         }
         self.moments.push(moment);
-        self.ends.push(end);
+        self.histories.push(history);
         self.touched |= force != 0.0;
         if !self.touched {
             return None;
@@ -322,25 +341,25 @@ impl Track {
     }
 
     /// Time from the first to the last force, between steps by the path of the overlap.
-    fn contact_time(&self, dt: f64, from: Start) -> f64 {
-        let moments = &self.moments;
+    fn contact_time(&self, launch: &Launch<'_>) -> f64 {
+        let (moments, size) = (&self.moments, launch.size());
         let Some(last) = moments.iter().rposition(|m| m.force != 0.0) else {
             return 0.0;
         };
-        let begin = match from {
+        let begin = match launch.file.impact.start {
             Start::Contact => 0.0,
-            Start::Far => self.ends.first().copied().unwrap_or(0.0),
+            Start::Far => -reach(launch.law, size, &self.histories[0]),
         };
-        let start = crossing(moments, begin, 1.0).unwrap_or(moments[0].time);
+        let start = crossing(moments, |overlap, _| overlap - begin, 1.0).unwrap_or(moments[0].time);
         // the step of the last force may have let go already
-        let end = self.ends[last.saturating_sub(1)];
-        let after = moments.get(last + 1).copied().unwrap_or(moments[last]);
-        let window = after.rate.abs() * dt;
-        let stop = if after.overlap > end + window {
-            zero_of_force(&moments[..=last])
-        } else {
-            crossing(moments, end, -1.0).unwrap_or(moments[last].time)
+        let history = &self.histories[last.saturating_sub(1)];
+        let end = -reach(launch.law, size, history);
+        let room = |overlap: f64, rate: f64| {
+            let input = NormalInput::at(size, overlap, rate);
+            let beyond_least = launch.law.normal.visit(BeyondLeast(&input, history));
+            beyond_least.min(overlap - end)
         };
+        let stop = crossing(moments, room, -1.0).unwrap_or(moments[last].time);
         stop - start
     }
 }
@@ -362,13 +381,11 @@ fn peak(values: &[f64]) -> f64 {
     }
 }
 
-/// Time at which the overlap passes a level: the first time upwards, the last time downwards. Cubic between steps.
-fn crossing(moments: &[Moment], level: f64, direction: f64) -> Option<f64> {
-    let passes = |pair: &&[Moment]| {
-        let before = direction * (pair[0].overlap - level);
-        let after = direction * (pair[1].overlap - level);
-        before <= 0.0 && after > 0.0
-    };
+/// Time at which a value of overlap and rate passes zero: the first time upwards, the last time downwards. Between steps the overlap is a
+/// cubic.
+fn crossing(moments: &[Moment], value: impl Fn(f64, f64) -> f64, direction: f64) -> Option<f64> {
+    let of = |moment: &Moment| value(moment.overlap, moment.rate);
+    let passes = |pair: &&[Moment]| direction * of(&pair[0]) <= 0.0 && direction * of(&pair[1]) > 0.0;
     let pair = if direction > 0.0 {
         moments.windows(2).find(passes)?
     } else {
@@ -376,21 +393,11 @@ fn crossing(moments: &[Moment], level: f64, direction: f64) -> Option<f64> {
     };
     let (one, two) = (pair[0], pair[1]);
     let dt = two.time - one.time;
-    let cubic = |s: f64| {
+    let between = |s: f64| {
         let (p, q) = (s * s * (3.0 - 2.0 * s), s * (1.0 - s));
-        one.overlap * (1.0 - p) + two.overlap * p + dt * q * (one.rate * (1.0 - s) - two.rate * s) - level
+        let overlap = one.overlap * (1.0 - p) + two.overlap * p + dt * q * (one.rate * (1.0 - s) - two.rate * s);
+        value(overlap, one.rate * (1.0 - s) + two.rate * s)
     };
-    let place = demeter_physics::collision::ode::locate(cubic, (0.0, one.overlap - level), (1.0, two.overlap - level));
+    let place = demeter_physics::collision::ode::locate(between, (0.0, of(&one)), (1.0, of(&two)));
     Some(one.time + place * dt)
-}
-
-/// Time at which a falling force reaches zero, by the line through its last two values before the step that cuts it.
-fn zero_of_force(moments: &[Moment]) -> f64 {
-    match moments {
-        [.., one, two, _] if one.force > two.force => {
-            two.time + two.force * (two.time - one.time) / (one.force - two.force)
-        }
-        [.., last] => last.time,
-        [] => 0.0,
-    }
 }

@@ -59,6 +59,9 @@ fn figure_one_of_antypov_and_elliott() {
 fn the_engine_meets_the_reference_in_every_pairing() {
     let pairings: [&[&str]; 4] = [&[], &[WALL], &["b.fixed=true"], &["b.radius=1 mm"]];
     let laws = [
+        "contact.normal={law = \"linear\", stiffness = \"1e6 N/m\", restitution = 0.97, contact_end = \"zero-force\"}",
+        "contact.normal={law = \"hertz-tsuji\", restitution = 0.995, contact_end = \"zero-force\"}",
+        "contact.normal={law = \"viscoelastic\", restitution = 0.99, impact_speed = \"1 m/s\", contact_end = \"zero-force\"}",
         "contact.normal={law = \"hertz-tsuji\", restitution = 0.2}",
         "contact.normal={law = \"linear\", stiffness = \"1e6 N/m\", restitution = 0.7}",
         "contact.normal={law = \"linear\", stiffness = \"1e6 N/m\", restitution = 0.5, contact_end = \"zero-force\"}",
@@ -90,6 +93,21 @@ fn the_engine_meets_the_reference_in_every_pairing() {
             }
         }
     }
+}
+
+#[test]
+fn slow_impacts_are_right_or_refused() {
+    let at = |speed: &str, engine| collide(&file(&[&format!("impact.velocity={speed} m/s")]), engine, 0);
+    for speed in ["1e-15", "1e-20", "1e-24", "1e-30", "1e-50"] {
+        let found = at(speed, Engine::Reference).unwrap();
+        assert_relative_eq!(found.restitution, 0.54, max_relative = 1e-9);
+    }
+    for speed in ["1e-100", "1e-160", "1e-300"] {
+        let refused = at(speed, Engine::Reference).unwrap_err().to_string();
+        assert!(refused.contains("too slow"), "{refused}");
+    }
+    let refused = at("1e-11", Engine::Automatic).unwrap_err().to_string();
+    assert!(refused.contains("rounds their places"), "{refused}");
 }
 
 #[test]

@@ -104,7 +104,10 @@ pub(super) struct Pair<'a, L> {
 }
 
 /// Overlap that stands for none, as share of the radius: the limit of a force that jumps at first touch.
-const TOUCH: f64 = 1e-20;
+const TOUCH: f64 = 1e-60;
+
+/// Most of the energy of an impact that may be stored where it begins.
+const STORED_AT_START: f64 = 1e-12;
 
 impl<L: Normal> Pair<'_, L> {
     fn respond(&self, held: &Held, overlap: f64, rate: f64) -> (NormalResponse, [f64; MAX_HISTORY]) {
@@ -235,6 +238,13 @@ impl<'p, 'a, L: Normal> Course<'p, 'a, L> {
         let shortest = scales.into_iter().filter(|t| t.is_finite() && *t > 0.0);
         let state = [overlap, impact.speed, 0.0];
         let stored_before = pair.stored(&held, if impact.start == Start::Contact { 0.0 } else { held.end });
+        let energy = 0.5 * size.mass * impact.speed * impact.speed;
+        // an attraction across a gap makes any speed one that can be told
+        let pushes = held.end == 0.0 && pair.stored(&held, overlap) - stored_before > STORED_AT_START * energy;
+        if pushes || energy < f64::MIN_POSITIVE / tolerance.relative {
+            let speed = impact.speed;
+            return Err(CollisionError::TooSlow { speed, energy });
+        }
         // a law that notes the impact speed must see it
         let held = pair.hold(&held, overlap, impact.speed);
         Ok(Self {

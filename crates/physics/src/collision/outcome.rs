@@ -144,6 +144,17 @@ pub enum CollisionError {
         /// How many.
         count: usize,
     },
+    /// So slow that its energy cannot be told from that of the first touch, or from nothing.
+    #[error(
+        "an impact at {speed:e} m/s is too slow to be computed: its energy, {energy:e} J, is below what can be told from \
+         nothing; use a higher speed"
+    )]
+    TooSlow {
+        /// Impact speed [m/s].
+        speed: f64,
+        /// Its kinetic energy [J].
+        energy: f64,
+    },
     /// The law attracts from any distance, so that there is no place to start from.
     #[error("the law reaches {reach} m far; a collision that starts where the attraction is first felt needs an end")]
     Endless {
