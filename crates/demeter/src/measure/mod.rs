@@ -13,6 +13,7 @@ mod contacts_at;
 mod cylinder_profile;
 mod deforming_box;
 mod displacement;
+mod extent;
 mod fabric;
 mod field;
 mod flow;
@@ -48,6 +49,7 @@ pub use cylinder_profile::{Along, CylinderProfile, Ring};
 pub use deforming_box::BOX_COLUMNS;
 pub(crate) use deforming_box::{box_titles, box_values};
 pub use displacement::{DISPLACEMENT_COLUMNS, Displacement, DisplacementState};
+pub use extent::{EXTENT_COLUMNS, Extent};
 pub use fabric::{FABRIC_COLUMNS, Fabric};
 pub use field::{
     CellValues, Field, FieldSums, FieldValues, Kernel, KernelIn, KernelShape, LARGEST_CUT, LEAST_CUT, MAX_FIELD_CELLS,
@@ -232,13 +234,13 @@ pub fn kinetic_over_elastic(sim: &Simulation, energies: &Energies) -> f64 {
     }
 }
 
-/// Corners of the box around the surfaces of all grains [m]; infinite, the lower above the upper, without grains.
+/// Corners of the box around the surfaces of the grains that count [m]; infinite, the lower above the upper, without any.
 ///
 /// Where processes share the run each calls this.
-fn all_bounds(sim: &Simulation) -> (DVec3, DVec3) {
+fn bounds_of(sim: &Simulation, counts: impl Fn(usize) -> bool) -> (DVec3, DVec3) {
     let (mut lower, mut upper) = (DVec3::INFINITY, DVec3::NEG_INFINITY);
-    for row in &sim.grains.position.rows()[sim.own_grains()] {
-        let (p, r) = (row.vector, row.scalar);
+    for grain in sim.own_grains().filter(|&grain| counts(grain)) {
+        let (p, r) = (sim.grains.position[grain], sim.grains.radius(grain));
         lower = lower.min(p - r);
         upper = upper.max(p + r);
     }

@@ -2,7 +2,7 @@
 
 use super::images::{Periods, around};
 use super::told_first::{Acting, each, each_in_order, own_pairs, own_with_walls};
-use super::{all_bounds, sphere_in_box};
+use super::{bounds_of, sphere_in_box};
 use crate::simulation::Simulation;
 use glam::DVec3;
 
@@ -89,7 +89,7 @@ impl ContactNetwork {
     /// Lower and upper corner of the core [m]; it is empty when they are not in order.
     pub fn core(&self, sim: &Simulation) -> (DVec3, DVec3) {
         let grains = &sim.grains;
-        let (mut lower, mut upper) = all_bounds(sim);
+        let (mut lower, mut upper) = bounds_of(sim, |_| true);
         let mut diameters = 0.0;
         each_in_order(sim, |g| Some(grains.radius(g)), |radius| diameters += radius);
         let mean_diameter = 2.0 * sim.together().told_by_first(&[diameters])[0] / grains.len().max(1) as f64;

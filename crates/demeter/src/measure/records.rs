@@ -56,7 +56,7 @@ impl ContactColumns {
 ///
 /// Where processes share the run each calls this.
 pub fn wall_surfaces(sim: &Simulation) -> Vec<WallSurface<'_>> {
-    let (mut lower, mut upper) = super::all_bounds(sim);
+    let (mut lower, mut upper) = super::bounds_of(sim, |_| true);
     if sim.grains.is_empty() {
         (lower, upper) = (DVec3::ZERO, DVec3::ZERO);
     }

@@ -3,9 +3,10 @@
 use super::error::OutputError;
 use super::rows::RowFile;
 use crate::measure::{
-    BOX_COLUMNS, COLLISION_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS,
-    MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures, OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS,
-    RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn, Value, WALL_MOTION_COLUMNS, WEAR_COLUMNS, WallLoad,
+    AXIAL_COLUMNS, BOX_COLUMNS, COLLISION_COLUMNS, DISPLACEMENT_COLUMNS, DOMAIN_COLUMNS, EXTENT_COLUMNS,
+    FABRIC_COLUMNS, FEED_COLUMNS, FLOW_COLUMNS, MIXING_COLUMNS, Measures, NEIGHBOUR_COLUMNS, NetworkMeasures,
+    OF_MATERIAL_COLUMNS, REGION_COLUMNS, REMOVAL_COLUMNS, RESIDENCE_COLUMNS, SLOPE_COLUMNS, TRACE_COLUMNS, ToldColumn,
+    Value, WALL_MOTION_COLUMNS, WALLS_LOAD_COLUMNS, WEAR_COLUMNS, WallLoad,
 };
 use std::fmt::Write as _;
 use std::path::Path;
@@ -313,9 +314,10 @@ fn network_title(network: &str, column: &Column<NetworkMeasures>) -> String {
 }
 
 /// Columns behind all others, with what their titles begin with.
-const TOLD: [(&str, &[ToldColumn]); 18] = [
+const TOLD: [(&str, &[ToldColumn]); 21] = [
     ("MEASURE", REGION_COLUMNS),
     ("MEASURE MATERIAL", OF_MATERIAL_COLUMNS),
+    ("MEASURE", EXTENT_COLUMNS),
     ("MEASURE", TRACE_COLUMNS),
     ("MEASURE", FLOW_COLUMNS),
     ("MEASURE", MIXING_COLUMNS),
@@ -325,6 +327,8 @@ const TOLD: [(&str, &[ToldColumn]); 18] = [
     ("MEASURE", DISPLACEMENT_COLUMNS),
     ("MEASURE", NEIGHBOUR_COLUMNS),
     ("MEASURE", COLLISION_COLUMNS),
+    ("MEASURE", WALLS_LOAD_COLUMNS),
+    ("MEASURE", AXIAL_COLUMNS),
     ("feed NAME", FEED_COLUMNS),
     ("removal NAME", REMOVAL_COLUMNS),
     ("removal NAME MATERIAL", OF_MATERIAL_COLUMNS),

@@ -9,9 +9,9 @@ use super::region_measures::{cylinder_profile, mass_flow, mixing, neighbour_mixi
 use super::stages::walls_of;
 use super::zones::{Named, region, selection};
 use crate::measure::{
-    BinsError, Collisions, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Fabric, Field, ForceChains,
-    ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount, Residence,
-    Selection, Slope, WallsLoad,
+    BinsError, Collisions, ContactAngles, ContactNetwork, CylinderProfile, Displacement, Extent, Fabric, Field,
+    ForceChains, ForceDistribution, GrainTrace, MassFlow, Mixing, NeighbourMixing, Paths, Profile, RegionCount,
+    Residence, Selection, Slope, WallsLoad,
 };
 use crate::particles::Zone;
 use demeter_physics::dimension::Dimension;
@@ -40,6 +40,8 @@ pub enum MeasureKind {
     ForceDistribution(ForceDistribution),
     /// Columns of the series.
     RegionCount(RegionCount),
+    /// Columns of the series.
+    Extent(Extent),
     /// Columns of the series.
     GrainTrace(GrainTrace),
     /// Columns of the series.
@@ -80,6 +82,7 @@ impl MeasureKind {
         Some(match self {
             Self::ContactNetwork(_) | Self::ForceDistribution(_) | Self::WallsLoad(_) => return None,
             Self::RegionCount(count) => &count.selection,
+            Self::Extent(extent) => &extent.selection,
             Self::GrainTrace(trace) => &trace.selection,
             Self::MassFlow(flow) => &flow.selection,
             Self::Mixing(mixing) => &mixing.selection,
@@ -102,6 +105,7 @@ impl MeasureKind {
     pub(super) fn zone(&self) -> Option<&Zone> {
         Some(match self {
             Self::RegionCount(count) => &count.zone,
+            Self::Extent(extent) => &extent.zone,
             Self::Slope(slope) => &slope.zone,
             Self::Field(field) => &field.zone,
             Self::Fabric(fabric) => &fabric.zone,
@@ -141,10 +145,11 @@ pub(super) fn profiles(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, 
 
 const FORCE: Kind = Kind::Physical(Dimension::FORCE);
 
-const KINDS: [&str; 19] = [
+const KINDS: [&str; 20] = [
     "contact-network",
     "force-distribution",
     "region-count",
+    "extent",
     "grain-trace",
     "mass-flow",
     "mixing",
@@ -231,6 +236,10 @@ fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {
         "contact-network" => Some(MeasureKind::ContactNetwork(contact_network(&table))),
         "force-distribution" => force_distribution(&table).map(MeasureKind::ForceDistribution),
         "region-count" => Some(MeasureKind::RegionCount(RegionCount {
+            zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
+            selection: selection(&table, named),
+        })),
+        "extent" => Some(MeasureKind::Extent(Extent {
             zone: table.optional("region").map(|i| region(&i, named)).unwrap_or_default(),
             selection: selection(&table, named),
         })),

@@ -226,6 +226,7 @@ fn measures_are_read_as_told() {
         "slices",
         "pull",
         "weight",
+        "height",
     ];
     assert_eq!(names, expected);
     let kind = |k: usize| scenario.measures[k].kind.clone();

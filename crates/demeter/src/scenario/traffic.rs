@@ -338,6 +338,7 @@ impl<'a> Traffic<'a> {
         for measure in &scenario.measures {
             match &measure.kind {
                 MeasureKind::RegionCount(count) => titles.extend(count.titles(&measure.name, &materials)),
+                MeasureKind::Extent(extent) => titles.extend(extent.titles(&measure.name)),
                 MeasureKind::GrainTrace(trace) => titles.extend(trace.titles(&measure.name)),
                 MeasureKind::MassFlow(flow) => titles.extend(flow.titles(&measure.name)),
                 MeasureKind::Mixing(mixing) => titles.extend(mixing.titles(&measure.name)),
@@ -385,6 +386,7 @@ impl<'a> Traffic<'a> {
         for measure in &self.scenario.measures {
             match &measure.kind {
                 MeasureKind::RegionCount(count) => values.extend(count.measure(sim, origins)),
+                MeasureKind::Extent(extent) => values.extend(extent.measure(sim, origins)),
                 MeasureKind::GrainTrace(trace) => values.extend(trace.measure(sim, origins)),
                 MeasureKind::MassFlow(_) => values.extend(followed.flows.next().into_iter().flatten()),
                 MeasureKind::Residence(_) => values.extend(followed.residences.next().into_iter().flatten()),

@@ -16,6 +16,7 @@ mod deforming_boxes;
 mod departures;
 mod endings;
 mod exchange;
+mod extent;
 mod feeds;
 mod fields;
 mod impact_speeds;
