@@ -396,6 +396,16 @@ impl SeriesLabels {
         cells
     }
 
+    /// The number that a row tells in the column of a title.
+    pub(crate) fn value(&self, row: &Measures, title: &str) -> Option<f64> {
+        let place = self.header().iter().position(|known| known == title)?;
+        match self.cells(row).get(place)? {
+            Cell::Count(count) => Some(*count as f64),
+            Cell::Number(number) => Some(*number),
+            Cell::Stage(_) => None,
+        }
+    }
+
     /// Titles of all columns, as in the header.
     pub fn header(&self) -> Vec<String> {
         let mut names: Vec<String> = self.columns().map(Column::title).collect();

@@ -4,6 +4,7 @@ mod bodies;
 mod box_of_file;
 mod checks;
 mod collisions;
+mod column_stops;
 mod deformation;
 mod diagnostics;
 mod differences;
@@ -268,7 +269,7 @@ impl Scenario {
         let protocol = stages::protocol(&table, cast, told.intervals);
         table.finish("the scenario");
         let without_unit = around.without_unit.take();
-        Self {
+        let mut scenario = Self {
             title,
             seed,
             simulation,
@@ -293,9 +294,14 @@ impl Scenario {
             text: text.to_string(),
             name: name.to_string(),
             base: base.to_path_buf(),
-            document,
+            document: Arc::clone(&document),
             without_unit,
+        };
+        // a fault may be why a column is not there
+        if context.faults.borrow().is_empty() {
+            column_stops::resolve(context, &mut scenario, &protocol.columns);
         }
+        scenario
     }
 
     /// Acceleration of gravity in a stage, or behind the last [m/s^2].

@@ -14,18 +14,21 @@ pub(super) fn check(scenario: &Scenario, faults: &mut Diagnostics) {
     let header = labels(scenario).header();
     for (k, plot) in scenario.output.plots.iter().enumerate() {
         for column in plot.y.iter().chain([&plot.x]) {
-            if position_of(&header, column).is_none() {
-                let help = did_you_mean(column, header.iter().map(|title| column_name(title)));
-                faults.push(
-                    &format!("output.plots[{k}]"),
-                    format!("the series has no column `{column}`"),
-                    help.or_else(|| {
-                        Some("columns are, for example, `time`, `elastic energy`, `wall NAME force z`".into())
-                    }),
-                );
+            if let Err((message, help)) = column_of(&header, column) {
+                faults.push(&format!("output.plots[{k}]"), message, help);
             }
         }
     }
+}
+
+/// Index of a column of the series, told by its name or title; or a message and help.
+pub(super) fn column_of(header: &[String], column: &str) -> Result<usize, (String, Option<String>)> {
+    position_of(header, column).ok_or_else(|| {
+        let help = did_you_mean(column, header.iter().map(|title| column_name(title)));
+        let examples = || "columns are, for example, `time`, `elastic energy`, `wall NAME force z`".to_string();
+        let message = format!("the series has no column `{column}`");
+        (message, help.or_else(|| Some(examples())))
+    })
 }
 
 /// The plot that every run has.

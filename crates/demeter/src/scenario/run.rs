@@ -6,6 +6,7 @@ mod stages;
 mod start;
 mod writing;
 
+use super::column_stops::Held;
 use super::field_files::FieldFiles;
 use super::input_files::InputFile;
 use super::live::{Pause, Until};
@@ -81,6 +82,8 @@ pub(super) struct Place {
     stage_displacement: Vec<DVec3>,
     /// What walls had done until then.
     stage_work: Vec<WallWork>,
+    /// Since when the conditions of the stage on columns hold, by their places in it.
+    columns_held: Vec<Option<Held>>,
     last_row: Option<u64>,
     last_frame: Option<u64>,
     /// What is in the folder of the checkpoint.
@@ -185,6 +188,7 @@ impl<'a> Runner<'a> {
             departures_told: 0,
             stage_displacement: Vec::new(),
             stage_work: Vec::new(),
+            columns_held: Vec::new(),
             last_row: None,
             last_frame: None,
             written: WrittenFiles::default(),

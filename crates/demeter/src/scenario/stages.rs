@@ -1,5 +1,6 @@
 //! Tables `[[stage]]`: the protocol, with repeats unrolled.
 
+use super::column_stops;
 use super::deformation::{self, deformation};
 use super::document::{Value, join};
 use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
@@ -37,6 +38,7 @@ enum Content {
     Group(Vec<Told>),
     Single {
         stop: Vec<StopCondition>,
+        columns: Vec<column_stops::Told>,
         motions: Vec<(usize, Motions)>,
         absent: Option<Vec<usize>>,
         feeds: Option<Vec<usize>>,
@@ -63,6 +65,8 @@ pub(super) struct Cast<'a> {
 pub(super) struct Protocol {
     pub stages: Vec<Stage>,
     pub paths: Vec<String>,
+    /// Conditions on columns that are read once these are known, each with the path of the stage.
+    pub columns: Vec<(String, column_stops::Told)>,
     pub cadence: Cadence,
 }
 
@@ -70,6 +74,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
     let mut protocol = Protocol {
         stages: Vec::new(),
         paths: Vec::new(),
+        columns: Vec::new(),
         cadence: cadence(told, 0.0),
     };
     let meaning = "at least one table [[stage]] with a `duration`";
@@ -91,6 +96,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
     unroll(&stages, "", &mut |single, name| {
         let Content::Single {
             stop,
+            columns,
             motions,
             absent,
             feeds,
@@ -103,6 +109,10 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             return;
         };
         let own: Intervals = std::array::from_fn(|k| intervals[k].or(told[k]));
+        if !columns.is_empty() && !protocol.paths.contains(&single.path) {
+            let told = columns.iter().map(|told| (single.path.clone(), told.clone()));
+            protocol.columns.extend(told);
+        }
         protocol.paths.push(single.path.clone());
         protocol.stages.push(Stage {
             name,
@@ -173,7 +183,7 @@ fn stage(table: TableReader<'_>, header: &str, default_name: &str, cast: Cast<'_
 }
 
 fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
-    let mut stop = Vec::new();
+    let (mut stop, mut columns) = (Vec::new(), Vec::new());
     let duration = table.optional_quantity("duration", Kind::Physical(Dimension::TIME), Range::POSITIVE);
     stop.extend(duration.map(StopCondition::Duration));
     let steps = table.optional("steps").map(|i| i.integer(1, MAX_STEPS) as u64);
@@ -184,8 +194,8 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     }
     if let Some(item) = table.optional("stop") {
         match &item.node.value {
-            Value::Array(_) => item.items().iter().for_each(|i| conditions(i, cast, &mut stop)),
-            _ => conditions(&item, cast, &mut stop),
+            Value::Array(_) => (item.items().iter()).for_each(|i| columns.extend(conditions(i, cast, &mut stop))),
+            _ => columns.extend(conditions(&item, cast, &mut stop)),
         }
     }
     let mut told_motions = Vec::new();
@@ -219,6 +229,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     table.finish("a stage");
     Content::Single {
         stop,
+        columns,
         motions: told_motions,
         absent,
         feeds,
@@ -229,12 +240,10 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     }
 }
 
-/// Reads the conditions of a table `stop`.
-fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
+/// Reads the conditions of a table `stop`; that on a column is not complete yet.
+fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) -> Option<column_stops::Told> {
     let walls = cast.walls;
-    let Some(table) = item.table() else {
-        return;
-    };
+    let table = item.table()?;
     let before = stop.len();
     if let Some(share) = table.optional_quantity("kinetic_over_elastic", Kind::Number, Range::POSITIVE) {
         stop.push(StopCondition::KineticOverElastic(share));
@@ -286,10 +295,13 @@ fn conditions(item: &Item<'_>, cast: Cast<'_>, stop: &mut Vec<StopCondition>) {
     if let Some(item) = table.optional("grains_at_most") {
         stop.push(StopCondition::GrainsAtMost(item.integer(0, MAX_STEPS) as u64));
     }
+    let column = table.optional("column").and_then(|i| i.table());
+    let column = column.map(|told| column_stops::column_stop(told, stop));
     table.finish("the stop conditions");
     if stop.len() == before && matches!(&item.node.value, Value::Table(entries) if entries.is_empty()) {
         item.fault("there is no stop condition in `stop`", None);
     }
+    column
 }
 
 /// One wall, or a list of some.

@@ -50,6 +50,14 @@ impl<'a> Known<'a> {
             if let Some((key, why)) = self.fault_of(condition) {
                 faults.push(&format!("{path}.stop.{key}"), why, Some(REMEDY.to_string()));
             }
+            if matches!(condition, StopCondition::Column(_)) && stage.cadence.series.is_none() {
+                let why = format!(
+                    "stage `{}` has no rows of the series at which its columns would be looked at",
+                    stage.name
+                );
+                let help = "tell `series = \"1 ms\"` in `output`, of the stage or of all".to_string();
+                faults.push(&format!("{path}.stop.column"), why, Some(help));
+            }
         }
     }
 

@@ -40,7 +40,7 @@ pub use intervention::ChangeError;
 pub use ledger::{Books, Energies};
 pub use memory::MemoryPart;
 pub use profile::{Phase, PhaseTime, ProfileReport};
-pub use protocol::{Cadence, Stage, StopCondition, StressOf};
+pub use protocol::{Cadence, ColumnStop, Stage, StopCondition, StressOf};
 pub(crate) use protocol::{ends_at, ends_within};
 pub(crate) use pulls::can_pull;
 pub use roofline::{Machine, Roofline, Work};

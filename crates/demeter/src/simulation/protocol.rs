@@ -63,6 +63,29 @@ pub enum StopCondition {
     FeedDone(usize),
     /// So many grains are left, or fewer.
     GrainsAtMost(u64),
+    /// A column of the series is within limits.
+    Column(ColumnStop),
+}
+
+/// Limits of a column of the series, judged at its rows; a value that is not a number is within none.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct ColumnStop {
+    /// Title of the column, with its unit.
+    pub column: String,
+    /// The value to reach or exceed, in the unit of the column.
+    pub above: Option<f64>,
+    /// The value to fall to, in the same unit.
+    pub below: Option<f64>,
+    /// How long all rows must be within [s]; at 0 one is enough.
+    pub lasting: f64,
+}
+
+impl ColumnStop {
+    pub(crate) fn holds(&self, value: f64) -> bool {
+        let holds =
+            |limit: Option<f64>, is_within: fn(&f64, &f64) -> bool| limit.is_none_or(|limit| is_within(&value, &limit));
+        !value.is_nan() && holds(self.above, f64::ge) && holds(self.below, f64::le)
+    }
 }
 
 /// A stress of a box.

@@ -11,6 +11,7 @@ mod book;
 mod cases;
 mod changed;
 mod collisions;
+mod column_stops;
 mod custom;
 mod deforming_boxes;
 mod departures;

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::time::Duration;
 
 /// Asks a run to end at a step, when told.
-struct Silent(Option<u64>);
+pub(super) struct Silent(pub(super) Option<u64>);
 
 impl Observer for Silent {
     fn progress(&mut self, progress: &Progress) -> bool {
@@ -23,7 +23,7 @@ impl Observer for Silent {
     fn message(&mut self, _: &str) {}
 }
 
-const OPTIONS: RunOptions = RunOptions {
+pub(super) const OPTIONS: RunOptions = RunOptions {
     threads: Some(1),
     overwrite: false,
     numbered: false,
@@ -80,7 +80,7 @@ fn assert_same(one: &Path, other: &Path) {
     }
 }
 
-fn share(scenario: &Scenario, folder: &Path, ranks: Box<dyn Ranks>, last: Option<u64>) -> RunEnd {
+pub(super) fn share(scenario: &Scenario, folder: &Path, ranks: Box<dyn Ranks>, last: Option<u64>) -> RunEnd {
     let report = run_shared(scenario, folder, OPTIONS, ranks, &mut Silent(last)).unwrap();
     report.end
 }

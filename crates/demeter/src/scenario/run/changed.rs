@@ -178,6 +178,9 @@ impl Runner<'_> {
         let is_over = former.stage >= was.stages.len();
         let [stage, was_stage] = [self.place.stage, former.stage].map(|stage| stage.saturating_sub(is_over.into()));
         if let Some(told) = self.scenario.stages.get(stage) {
+            if was.stages.get(was_stage).is_none_or(|was| was.stop != told.stop) {
+                self.place.columns_held.clear();
+            }
             let was = InForce::in_stage(was, was_stage);
             self.set_up(
                 &InForce::in_stage(self.scenario, stage).instead_of(&was, told),

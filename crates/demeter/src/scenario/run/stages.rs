@@ -3,6 +3,7 @@
 use super::{ENERGY_INTERVAL, Observer, Runner, labels, steps_in};
 use crate::measure::kinetic_over_elastic;
 use crate::output::{StageSummary, wall_summaries};
+use crate::scenario::column_stops;
 use crate::scenario::deformation::reached;
 use crate::scenario::run_error::RunError;
 use crate::scenario::solids::enclosed_by;
@@ -18,6 +19,7 @@ impl<'a> Runner<'a> {
     pub(super) fn begin_stage(&mut self, observer: &mut dyn Observer) -> Result<(), RunError> {
         self.place.stage_step = self.sim.step;
         self.place.departures_told = 0;
+        self.place.columns_held.clear();
         self.place.stage_displacement = self.sim.walls.iter().map(|w| w.displacement()).collect();
         self.place.stage_work = self.works();
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
@@ -195,12 +197,12 @@ impl<'a> Runner<'a> {
 
     /// What ends the stage at this step, and in words.
     pub(super) fn stage_is_over(&mut self) -> Option<(&'a StopCondition, String)> {
-        let mut stops = self.stage().stop.iter();
-        stops.find_map(|stop| Some((stop, self.reached(stop)?)))
+        let mut stops = self.stage().stop.iter().enumerate();
+        stops.find_map(|(place, stop)| Some((stop, self.reached(stop, place)?)))
     }
 
-    /// What a condition has come to, in words, when it holds.
-    fn reached(&mut self, stop: &StopCondition) -> Option<String> {
+    /// What a condition has come to, in words, when it holds; it has its place among those of the stage.
+    fn reached(&mut self, stop: &StopCondition, place: usize) -> Option<String> {
         let elapsed = self.sim.step - self.place.stage_step;
         let dt = self.sim.dt;
         match stop {
@@ -263,6 +265,9 @@ impl<'a> Runner<'a> {
             StopCondition::GrainsAtMost(count) => {
                 let left = self.sim.grains.len();
                 (elapsed > 0 && left as u64 <= *count).then(|| format!("{left} grains are left"))
+            }
+            StopCondition::Column(stop) => {
+                column_stops::reached(stop, self.place.columns_held.get(place).copied().flatten(), dt)
             }
         }
     }

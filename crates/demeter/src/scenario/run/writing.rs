@@ -4,9 +4,9 @@ use super::{Files, RunState, Runner, labels};
 use crate::checkpoint::{self, Header};
 use crate::measure::{ContactsAt, Moment, wall_surfaces};
 use crate::output::{Frame, FrameBox, FramePart, SeriesTable, WrittenFiles, tell_frame};
-use crate::scenario::field_files;
 use crate::scenario::run_error::RunError;
-use crate::simulation::{Phase, Simulation, SimulationState};
+use crate::scenario::{column_stops, field_files};
+use crate::simulation::{Phase, Simulation, SimulationState, StopCondition};
 use crate::walls::Wall;
 use std::path::Path;
 
@@ -18,6 +18,12 @@ impl<'a> Runner<'a> {
         self.sim.took(Phase::Other);
         let moment = self.moment();
         let row = self.rows.write(&mut self.sim, &mut self.traffic, moment)?;
+        let stage = self.stage();
+        let has_columns = stage.stop.iter().any(|stop| matches!(stop, StopCondition::Column(_)));
+        if has_columns && self.sim.step > self.place.stage_step {
+            let labels = labels(self.scenario);
+            column_stops::look(stage, (&row, &labels), &self.sim, &mut self.place.columns_held);
+        }
         self.place.max_residual = larger(self.place.max_residual, row.energies.residual.abs());
         self.place.last_row = Some(self.sim.step);
         self.latest = Some(row);

@@ -311,7 +311,12 @@ fn plain_numbers_are_taken_where_the_file_says_so() {
             let without = parse(&changed);
             if without.as_ref().is_err_and(|faults| faults.contains("with a unit")) {
                 refused += 1;
-                assert!(!validator.is_valid(&changed), "{name}: {place} = {value} has no unit");
+                // what a column holds no schema knows
+                let is_known = !place.contains("/stop/column/");
+                assert!(
+                    !is_known || !validator.is_valid(&changed),
+                    "{name}: {place} = {value} has no unit"
+                );
             }
             assert!(
                 without.is_err() || validator.is_valid(&changed),
