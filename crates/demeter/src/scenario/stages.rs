@@ -36,17 +36,19 @@ struct Told {
 
 enum Content {
     Group(Vec<Told>),
-    Single {
-        stop: Vec<StopCondition>,
-        columns: Vec<column_stops::Told>,
-        motions: Vec<(usize, Motions)>,
-        absent: Option<Vec<usize>>,
-        feeds: Option<Vec<usize>>,
-        removals: Option<Vec<usize>>,
-        deformation: Option<Box<Deformation>>,
-        gravity: Option<DVec3>,
-        intervals: Intervals,
-    },
+    Single(Box<Single>),
+}
+
+struct Single {
+    stop: Vec<StopCondition>,
+    columns: Vec<column_stops::Told>,
+    motions: Vec<(usize, Motions)>,
+    absent: Option<Vec<usize>>,
+    feeds: Option<Vec<usize>>,
+    removals: Option<Vec<usize>>,
+    deformation: Option<Deformation>,
+    gravity: Option<DVec3>,
+    intervals: Intervals,
 }
 
 /// What stages may name.
@@ -93,36 +95,25 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
     let duration = total_duration(&stages);
     protocol.cadence = cadence(told, duration);
     let context = root.context;
-    unroll(&stages, "", &mut |single, name| {
-        let Content::Single {
-            stop,
-            columns,
-            motions,
-            absent,
-            feeds,
-            removals,
-            deformation,
-            gravity,
-            intervals,
-        } = &single.content
-        else {
+    unroll(&stages, "", &mut |stage, name| {
+        let Content::Single(single) = &stage.content else {
             return;
         };
-        let own: Intervals = std::array::from_fn(|k| intervals[k].or(told[k]));
-        if !columns.is_empty() && !protocol.paths.contains(&single.path) {
-            let told = columns.iter().map(|told| (single.path.clone(), told.clone()));
+        let own: Intervals = std::array::from_fn(|k| single.intervals[k].or(told[k]));
+        if !single.columns.is_empty() && !protocol.paths.contains(&stage.path) {
+            let told = single.columns.iter().map(|told| (stage.path.clone(), told.clone()));
             protocol.columns.extend(told);
         }
-        protocol.paths.push(single.path.clone());
+        protocol.paths.push(stage.path.clone());
         protocol.stages.push(Stage {
             name,
-            stop: stop.clone(),
-            motions: motions.clone(),
-            absent: absent.clone(),
-            feeds: feeds.clone(),
-            removals: removals.clone(),
-            deformation: deformation.as_deref().copied(),
-            gravity: *gravity,
+            stop: single.stop.clone(),
+            motions: single.motions.clone(),
+            absent: single.absent.clone(),
+            feeds: single.feeds.clone(),
+            removals: single.removals.clone(),
+            deformation: single.deformation,
+            gravity: single.gravity,
             cadence: cadence(own, duration),
         });
     });
@@ -217,7 +208,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let feeds = table.optional("feeds").map(|i| chosen(&i, "feed", feed_names));
     let removal_names = cast.removals.iter().map(|r| r.name.as_str());
     let removals = table.optional("removals").map(|i| chosen(&i, "removal", removal_names));
-    let deformation = deformation(&table).map(Box::new);
+    let deformation = deformation(&table);
     let acceleration = Kind::Physical(Dimension::ACCELERATION);
     let gravity = table.optional("gravity").map(|i| i.vector(acceleration));
     let output = table.optional("output").and_then(|i| i.table());
@@ -227,7 +218,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
         read
     });
     table.finish("a stage");
-    Content::Single {
+    Content::Single(Box::new(Single {
         stop,
         columns,
         motions: told_motions,
@@ -237,7 +228,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
         deformation,
         gravity,
         intervals,
-    }
+    }))
 }
 
 /// Reads the conditions of a table `stop`; that on a column is not complete yet.
@@ -332,7 +323,7 @@ fn unrolled(stages: &[Told]) -> usize {
     stages.iter().fold(0, |sum: usize, stage| {
         let inside = match &stage.content {
             Content::Group(stages) => unrolled(stages),
-            Content::Single { .. } => 1,
+            Content::Single(_) => 1,
         };
         sum.saturating_add(inside.saturating_mul(stage.repeat))
     })
@@ -342,7 +333,8 @@ fn unrolled(stages: &[Told]) -> usize {
 fn total_duration(stages: &[Told]) -> f64 {
     let one = |stage: &Told| match &stage.content {
         Content::Group(stages) => total_duration(stages),
-        Content::Single { stop, .. } => stop
+        Content::Single(single) => single
+            .stop
             .iter()
             .find_map(|s| match s {
                 StopCondition::Duration(seconds) => Some(*seconds),
@@ -365,8 +357,8 @@ fn unroll(stages: &[Told], suffix: &str, take: &mut impl FnMut(&Told, String)) {
             };
             match &stage.content {
                 Content::Group(inside) => unroll(inside, &suffix, take),
-                Content::Single { .. } if suffix.is_empty() => take(stage, stage.name.clone()),
-                Content::Single { .. } => take(stage, format!("{} {suffix}", stage.name)),
+                Content::Single(_) if suffix.is_empty() => take(stage, stage.name.clone()),
+                Content::Single(_) => take(stage, format!("{} {suffix}", stage.name)),
             }
         }
     }
