@@ -125,7 +125,9 @@ impl ContactChunk {
                 k += 1;
             }
             self.coupling.find_forces(first..k, &self.now, self.law, scene);
-            self.coupling.yield_at_falls(first..k, &self.now, self.law, scene);
+            if !self.coupling.falls.is_empty() {
+                self.yield_at_falls(first..k, at, scene, scale);
+            }
             for k in first..k {
                 self.coupling.share[k] = self.deviation_share(k, at, scale);
             }
@@ -146,12 +148,22 @@ impl ContactChunk {
         if deviation == 0.0 {
             return 0.0;
         }
+        // where all forces were 0 so far, nothing is known yet
+        let largest = self.largest_near(k, at, scale).max(coupling.answer[k].abs());
+        let share = deviation / largest;
+        match coupling.falls.get(k) {
+            Some(fall) if fall.slope > 0.0 => self.share_at_fall(k, fall, share, largest),
+            _ => share,
+        }
+    }
+
+    /// Largest force on the bodies of a contact, or a share of the largest anywhere [N].
+    pub(super) fn largest_near(&self, k: usize, at: ChunkPlace, scale: Scale<'_>) -> f64 {
         let mut largest = scale.of_grains[self.i[k] as usize].max(LEAST_SHARE * scale.of_all);
         if !at.wall {
             largest = largest.max(scale.of_grains[self.j[k] as usize]);
         }
-        // where all forces were 0 so far, nothing is known yet
-        deviation / largest.max(coupling.answer[k].abs())
+        largest
     }
 
     /// Goes on with the forces that the laws answered with, where they are not good enough.
@@ -201,7 +213,7 @@ impl ContactChunk {
             let contact = &mut self.now.geometry[k];
             let undisplaced = contact.overlap;
             contact.overlap = match self.coupling.falls.get(k) {
-                Some(fall) if fall.give > 0.0 => fall.overlap,
+                Some(fall) if fall.slope > 0.0 => fall.overlap,
                 _ => undisplaced + (displacement[0] + displacement[1]),
             };
             if !at.wall {

@@ -7,8 +7,9 @@
 //! by `give (F - F_tried)`, and `F = f(overlap + D + give (F - F_tried))` has one solution, however steeply `f` falls. Where the iteration
 //! ends `F` is `F_tried`, whatever the give.
 
+use super::displaced::{ChunkPlace, Scale};
 use super::{Fall, Scratch};
-use crate::contacts::{ContactChunk, Kept, Scene, Span};
+use crate::contacts::{ContactChunk, Scene, Span};
 use demeter_physics::contact::PairSize;
 use demeter_physics::contact::normal::{Normal, NormalVisitor};
 use demeter_physics::integrator::Integrator;
@@ -17,6 +18,9 @@ use std::ops::Range;
 /// The give foreseen over that seen from one iteration to the next: others have not answered in full by then, and what they answer comes an
 /// iteration late.
 const CAUTION: f64 = 4.0;
+
+/// A contact whose deviation is below this share of the one before comes closer to its solution as it is.
+const SHRINKS: f64 = 0.5;
 
 /// Halvings of the overlaps in which a force is sought: a pull may begin within an overlap that is that much smaller than what the
 /// surfaces move by.
@@ -37,33 +41,92 @@ impl ContactChunk {
             former,
             falls,
             answer,
+            trial,
             overlap,
             ..
         } = &mut *self.coupling;
         let is_begun = former.len() == answer.len();
-        former.resize(answer.len(), [0.0; 2]);
+        former.resize(answer.len(), [0.0; 3]);
         let mut watched = Watched::default();
         for (k, before) in former.iter_mut().enumerate() {
+            let deviation = (answer[k] - trial[k]).abs();
             let [rise, way] = [answer[k] - before[0], overlap[k] - before[1]];
             let pulls = answer[k].min(before[0]) < 0.0;
-            *before = [answer[k], overlap[k]];
-            if !(is_begun && pulls) {
+            let comes_closer = deviation < SHRINKS * before[2];
+            *before = [answer[k], overlap[k], deviation];
+            if !(is_begun && pulls) || comes_closer {
                 continue;
             }
-            if rise * way < 0.0 && falls.get(k).is_none_or(|fall| fall.give == 0.0) {
+            if rise * way < 0.0 && falls.get(k).is_none_or(|fall| fall.slope == 0.0) {
                 falls.resize(answer.len(), Fall::default());
-                let give = CAUTION * (way / rise).abs();
                 falls[k] = Fall {
-                    give,
+                    slope: (way / rise).abs(),
+                    caution: CAUTION,
                     overlap: overlap[k],
+                    plain: answer[k],
                 };
                 watched.found += 1;
             } else if once_more && let Some(fall) = falls.get_mut(k) {
-                fall.give *= 2.0;
+                fall.caution *= 2.0;
                 watched.more += 1;
             }
         }
         watched
+    }
+
+    /// Takes the answers of contacts that give way.
+    pub(super) fn yield_at_falls(&mut self, run: Range<usize>, at: ChunkPlace, scene: &Scene, scale: Scale<'_>) {
+        for k in run {
+            let largest = self.largest_near(k, at, scale);
+            let Scratch {
+                falls,
+                undisplaced,
+                overlap,
+                answer,
+                trial,
+                size,
+                rate,
+                memory,
+                ..
+            } = &mut *self.coupling;
+            let (fall, overlap) = (&mut falls[k], overlap[k]);
+            if fall.slope == 0.0 {
+                continue;
+            }
+            (fall.plain, fall.overlap) = (answer[k], overlap);
+            // a contact does not act on itself by way of others more than others act on it
+            let by_others = (overlap - undisplaced[k]).abs() / largest;
+            let give = fall.caution * fall.slope.min(by_others);
+            if !(give > 0.0 && give.is_finite()) {
+                continue;
+            }
+            let given = scene.materials.law(self.law).normal.visit(GivesWay {
+                span: scene.span,
+                integrator: scene.integrator,
+                size: size[k],
+                rate: rate[k],
+                overlap,
+                history: &self.now.history[k * scene.stride..(k + 1) * scene.stride],
+                memory,
+                give,
+                tried: trial[k],
+                answer: answer[k],
+            });
+            (answer[k], fall.overlap) = given;
+        }
+    }
+
+    /// How far a contact that gives way is from its solution: not farther than it were if it did not, and else as far as the surfaces are from
+    /// where the law is asked, as a share of what others displace them by.
+    pub(super) fn share_at_fall(&self, k: usize, fall: &Fall, share: f64, largest: f64) -> f64 {
+        let coupling = &self.coupling;
+        let off = (fall.overlap - coupling.overlap[k]).abs();
+        if off == 0.0 {
+            return share;
+        }
+        let displaced = (coupling.overlap[k] - coupling.undisplaced[k]).abs();
+        let without = (fall.plain - coupling.trial[k]).abs() / largest;
+        without.min(share.max(off / displaced))
     }
 }
 
@@ -71,33 +134,6 @@ impl Scratch {
     pub(super) fn forget_falls(&mut self) {
         self.former.clear();
         self.falls.clear();
-    }
-
-    /// Takes the answers of contacts of one material pair that give way.
-    pub(super) fn yield_at_falls(&mut self, run: Range<usize>, now: &Kept, law: u32, scene: &Scene) {
-        if self.falls.is_empty() {
-            return;
-        }
-        for k in run {
-            let give = self.falls[k].give;
-            if give == 0.0 {
-                continue;
-            }
-            let law = scene.materials.law(law);
-            let given = law.normal.visit(GivesWay {
-                span: scene.span,
-                integrator: scene.integrator,
-                size: self.size[k],
-                rate: self.rate[k],
-                overlap: self.overlap[k],
-                history: &now.history[k * scene.stride..(k + 1) * scene.stride],
-                memory: &mut self.memory,
-                give,
-                tried: self.trial[k],
-                answer: self.answer[k],
-            });
-            (self.answer[k], self.falls[k].overlap) = given;
-        }
     }
 }
 

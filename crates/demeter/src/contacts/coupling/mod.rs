@@ -135,8 +135,8 @@ pub(crate) struct Scratch {
     /// Overlaps of the spheres, and of the displaced surfaces [m].
     undisplaced: Vec<f64>,
     overlap: Vec<f64>,
-    /// Answers and overlaps of the iteration before, where falls are watched for.
-    former: Vec<[f64; 2]>,
+    /// Answers, overlaps and deviations of the iteration before, where falls are watched for.
+    former: Vec<[f64; 3]>,
     /// Contacts whose force falls as their surfaces come nearer; empty where there are none.
     falls: Vec<Fall>,
     /// Whether the displaced surfaces do not meet.
@@ -193,10 +193,14 @@ impl Clone for Delivered {
 /// A contact whose force falls as its surfaces come nearer, as where a pull begins with a jump.
 #[derive(Clone, Copy, Debug, Default)]
 struct Fall {
-    /// How far the surfaces are foreseen to part per pull [m/N]; 0 where the force does not fall.
-    give: f64,
+    /// How far the surfaces parted per pull when it was found [m/N]; 0 where the force does not fall.
+    slope: f64,
+    /// They give way by so much more.
+    caution: f64,
     /// Overlap at which the law is asked for its force [m].
     overlap: f64,
+    /// Force at the overlap of the displaced surfaces [N].
+    plain: f64,
 }
 
 /// How far a contact is from its solution.
