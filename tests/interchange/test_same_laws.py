@@ -1,7 +1,7 @@
 """Laws of other codes beside those that the book names for them: two equal beads meet, once there and once here.
 
-Each test runs where its program is installed. Beads are stiff, so that what depends on their overlap weighs little: other codes take
-the whole radius, or another arm for the velocity of a surface than for its torque.
+Each test runs where its program is installed. Beads are stiff, so that what depends on their overlap weighs little: LAMMPS takes
+another arm for the velocity of a surface than for its torque.
 """
 
 import json
@@ -115,7 +115,6 @@ angle = "{angle} deg"
     found = json.loads(done.stdout)
     between = found["velocity"]["a"][2] - found["velocity"]["b"][2]
     return between / (speed * cos(radians(angle))), abs(found["spin"]["a"][1])
-
 
 
 def liggghts(tmp_path, model, restitution=0.5, properties=(), angle=0.0, young=YOUNG, step=2e-9):
