@@ -36,7 +36,8 @@ pub(crate) struct Watched {
 impl ContactChunk {
     /// Notes the pulls that become larger as the surfaces come nearer, and lets those noted before give way more where `once_more` tells
     /// so.
-    pub(crate) fn watch_falls(&mut self, once_more: bool) -> Watched {
+    /// Where it is `late`, such a contact gives way even if it comes closer to its solution as it is.
+    pub(crate) fn watch_falls(&mut self, once_more: bool, late: bool) -> Watched {
         let Scratch {
             former,
             falls,
@@ -52,7 +53,7 @@ impl ContactChunk {
             let deviation = (answer[k] - trial[k]).abs();
             let [rise, way] = [answer[k] - before[0], overlap[k] - before[1]];
             let pulls = answer[k].min(before[0]) < 0.0;
-            let comes_closer = deviation < SHRINKS * before[2];
+            let comes_closer = !late && deviation < SHRINKS * before[2];
             *before = [answer[k], overlap[k], deviation];
             if !(is_begun && pulls) || comes_closer {
                 continue;

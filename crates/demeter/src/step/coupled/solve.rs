@@ -14,6 +14,9 @@ const FIRST_WATCHED: usize = 4;
 /// Iterations after which contacts whose forces do give way more, again and again.
 const PATIENCE_WITH_FALLS: usize = 30;
 
+/// Iterations after which contacts give way whose force falls, even if they come closer to a solution.
+const PATIENCE_WITH_THOSE_THAT_COME_CLOSER: usize = 200;
+
 /// Iterations after which forces are good enough that are as close to a solution as this.
 const PATIENCE_WITH_ROUNDING: usize = 100;
 const ROUNDING: f64 = 1e-10;
@@ -118,13 +121,14 @@ impl Simulation {
     /// Looks for contacts whose force falls as their surfaces come nearer; tells whether forces are sought in another way now.
     fn watch_falls(&mut self, iteration: usize) -> bool {
         let once_more = iteration.is_multiple_of(PATIENCE_WITH_FALLS);
+        let late = iteration > PATIENCE_WITH_THOSE_THAT_COME_CLOSER;
         let own = self.own_chunks();
         let (mut found, mut more) = (0, 0);
         let pairs = self.contacts.pairs.iter_mut().enumerate();
         let pairs = pairs.map(|(number, chunk)| (own.contains(&number), chunk));
         let walls = self.contacts.walls.iter_mut().map(|chunk| (true, chunk));
         for (counts, chunk) in pairs.chain(walls) {
-            let here = chunk.watch_falls(once_more);
+            let here = chunk.watch_falls(once_more, late);
             found += if counts { here.found } else { 0 };
             more += here.more;
         }
