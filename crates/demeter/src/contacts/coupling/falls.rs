@@ -34,9 +34,8 @@ pub(crate) struct Watched {
 }
 
 impl ContactChunk {
-    /// Notes the pulls that become larger as the surfaces come nearer, and lets those noted before give way more where `once_more` tells
-    /// so.
-    /// Where it is `late`, such a contact gives way even if it comes closer to its solution as it is.
+    /// Notes the pulls that become larger as the surfaces come nearer, if they come no closer to a solution as they are or it is `late`,
+    /// and lets those noted before give way more where `once_more` tells so.
     pub(crate) fn watch_falls(&mut self, once_more: bool, late: bool) -> Watched {
         let Scratch {
             former,
