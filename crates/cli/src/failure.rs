@@ -197,6 +197,7 @@ impl From<RunError> for Failure {
             | RunError::Motion { .. }
             | RunError::Deformation { .. }
             | RunError::Gravity { .. }
+            | RunError::Laws { .. }
             | RunError::WallInTheWay { .. }
             | RunError::OtherTraffic
             | RunError::Feed { .. }

@@ -48,7 +48,12 @@ pub fn scenario(path: &Path) -> Result<Info, Failure> {
     for stage in scenario.stages.iter().take(MOST_STAGES) {
         let moved = things(stage.motions.len() as u64, "motion");
         let ends = things(stage.stop.len() as u64, "end condition");
-        rows.add(format!("stage {}", stage.name), format!("{ends}, {moved} of walls set"));
+        let laws = (stage.contact.and_then(|told| scenario.stage_contacts.get(told)))
+            .map_or_else(String::new, |contact| format!(", contact {}", laws(&contact.default)));
+        rows.add(
+            format!("stage {}", stage.name),
+            format!("{ends}, {moved} of walls set{laws}"),
+        );
     }
     if let Some(more) = scenario.stages.len().checked_sub(MOST_STAGES).filter(|more| *more > 0) {
         rows.add("stages", format!("and {more} more"));

@@ -1,10 +1,10 @@
 //! What can be wrong with a scenario beyond its text: memory, overlaps, motions.
 
+use super::laws_of_stages::Bound;
 use super::meshes::{MeshOrigin, doubt_unit_of};
 use super::{Diagnostics, Scenario, estimates, stop_checks};
 use crate::contacts::{SOLID_BEHIND, TWO_SIDES};
 use crate::insertion::{Amount, Insertion, Region, SizeSampler, Source, first_overlap};
-use crate::materials::Materials;
 use crate::particles::{Domain, Grains, Outside};
 use crate::simulation::{
     Misfit, ROOM_FOR_BULGES, TimeScale, TimeStepError, USABLE, WallPartner, largest_reach, with_free_wall,
@@ -92,17 +92,18 @@ pub(super) fn check_periodic_size(
     grains: &Grains,
     domain: &Domain,
     skin: f64,
-    materials: &Materials,
+    laws: &[Bound<'_>],
     deforms: bool,
     faults: &mut Diagnostics,
 ) {
     let largest = grains.radii().fold(0.0, f64::max);
-    let bulges = if materials.are_coupled() {
+    let bulges = if laws.iter().any(|laws| laws.materials.are_coupled()) {
         ROOM_FOR_BULGES * largest
     } else {
         0.0
     };
-    let reach = largest_reach(grains, &[], materials);
+    let reaches = laws.iter().map(|laws| largest_reach(grains, &[], &laws.materials));
+    let reach = reaches.fold(0.0, f64::max);
     let share = if deforms { 2.0 * USABLE } else { 1.0 };
     let least = (4.0 * largest + 2.0 * (skin + reach) + bulges) / share;
     for axis in (0..3).filter(|&k| domain.periodic[k]) {

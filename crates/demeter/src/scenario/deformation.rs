@@ -1,11 +1,11 @@
 //! Tables `[domain.deform]` and `[stage.deform]`: how a periodic box deforms.
 
 use super::AXES;
+use super::laws_of_stages::Bound;
 use super::quantity::Kind;
 use super::reader::TableReader;
 use super::{Diagnostics, Scenario};
 use crate::comm::ShearAxes;
-use crate::materials::Materials;
 use crate::particles::Grains;
 use crate::simulation::{
     Deformation, DeformationError, Drive, Misfit, Shear, Simulation, StopCondition, StressOf, can_pull,
@@ -199,7 +199,7 @@ fn wait_in_vain(scenario: &Scenario, faults: &mut Diagnostics) {
 }
 
 /// Tells stresses below 0 of grains that never pull each other.
-pub(super) fn check_tensions(scenario: &Scenario, grains: &Grains, materials: &Materials, warnings: &mut Vec<String>) {
+pub(super) fn check_tensions(scenario: &Scenario, grains: &Grains, laws: &[Bound<'_>], warnings: &mut Vec<String>) {
     let mut told: Vec<(String, f64)> = Vec::new();
     for (path, plan) in scenario.deformations() {
         let keys = AXES.into_iter().chain(["isotropic"]);
@@ -215,7 +215,8 @@ pub(super) fn check_tensions(scenario: &Scenario, grains: &Grains, materials: &M
             }
         }
     }
-    if told.is_empty() || can_pull(grains, materials, scenario.simulation.max_overlap) {
+    let can_pull = |laws: &Bound<'_>| can_pull(grains, &laws.materials, scenario.simulation.max_overlap);
+    if told.is_empty() || laws.iter().any(can_pull) {
         return;
     }
     warnings.extend(told.into_iter().map(|(path, target)| {

@@ -89,7 +89,14 @@ impl Diagnostics {
             span,
         };
         let at = self.list.partition_point(|d| place(d) <= place(&diagnostic));
-        self.list.insert(at, diagnostic);
+        // what is read for several pairs of materials is told once
+        let mut at_its_place = self.list[..at]
+            .iter()
+            .rev()
+            .take_while(|d| place(d) == place(&diagnostic));
+        if !at_its_place.any(|d| *d == diagnostic) {
+            self.list.insert(at, diagnostic);
+        }
     }
 
     /// Keeps some faults alone.

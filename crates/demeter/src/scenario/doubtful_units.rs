@@ -71,16 +71,18 @@ pub(super) fn check(scenario: &Scenario, warnings: &mut Vec<String>) {
         ))
     };
     warnings.extend(gravity());
-    let contact = &scenario.contact;
-    let common = friction(contact.default.tangential.as_ref());
-    let of_pairs = contact.pairs.iter().enumerate().filter_map(|(index, (.., choice))| {
-        // a pair that does not tell its own has the common one
-        let own = friction(choice.tangential.as_ref()).filter(|own| Some(*own) != common)?;
-        Some((format!("contact.pair[{index}]"), own))
-    });
-    let all = common.map(|common| ("contact".to_string(), common));
-    let high =
-        (all.into_iter().chain(of_pairs)).filter(|(_, friction)| (HIGH_FRICTION..=NO_SLIDING).contains(friction));
+    let told = std::iter::once(&scenario.contact).chain(&scenario.stage_contacts);
+    let mut frictions: Vec<(String, f64)> = Vec::new();
+    for contact in told {
+        let common = friction(contact.default.tangential.as_ref());
+        frictions.extend(common.map(|common| (contact.table().to_string(), common)));
+        frictions.extend(contact.pairs.iter().filter_map(|(a, b, choice)| {
+            // a pair that does not tell its own has the common one
+            let own = friction(choice.tangential.as_ref()).filter(|own| Some(*own) != common)?;
+            Some((contact.path((*a).into(), (*b).into()), own))
+        }));
+    }
+    let high = (frictions.into_iter()).filter(|(_, friction)| (HIGH_FRICTION..=NO_SLIDING).contains(friction));
     warnings.extend(high.map(|(path, friction)| {
         let angle = if friction < 90.0 {
             let tangent = libm::tan(friction.to_radians());

@@ -23,6 +23,10 @@ pub struct ContactSpec {
     pub default: PairChoice,
     /// Entries of pairs by the indices of their materials, the lower first.
     pub pairs: Vec<(u16, u16, PairChoice)>,
+    /// Path of the table that told them: `contact`, or that of a stage.
+    table: String,
+    /// How many of the pairs, the first ones, that table tells; others have entries in `[contact]`.
+    told: usize,
 }
 
 impl ContactSpec {
@@ -35,8 +39,15 @@ impl ContactSpec {
 
     /// Path of the table that tells the laws of a pair of materials, in any order.
     pub fn path(&self, a: usize, b: usize) -> String {
-        let entry = self.entry(a, b);
-        entry.map_or_else(|| "contact".to_string(), |index| format!("contact.pair[{index}]"))
+        match self.entry(a, b).filter(|index| *index < self.told) {
+            Some(index) => format!("{}.pair[{index}]", self.table),
+            None => self.table.clone(),
+        }
+    }
+
+    /// Path of the table that told them.
+    pub(super) fn table(&self) -> &str {
+        &self.table
     }
 
     fn entry(&self, a: usize, b: usize) -> Option<usize> {
@@ -161,9 +172,11 @@ pub(super) fn material_index(item: &Item<'_>, materials: &[Material]) -> u16 {
 /// Binds the laws of every pair: a law may refuse values that are each within their range but do not go together. What is
 /// wrong with a table of many pairs is told once.
 pub(super) fn check_laws(scenario: &Scenario, faults: &mut Diagnostics) {
-    let Scenario { materials, contact, .. } = scenario;
+    let materials = &scenario.materials;
     let mut found = BTreeMap::<(String, String), (String, usize)>::new();
-    for (a, first) in materials.iter().enumerate() {
+    let all = std::iter::once(&scenario.contact).chain(&scenario.stage_contacts);
+    for (contact, a) in all.flat_map(|contact| (0..materials.len()).map(move |a| (contact, a))) {
+        let first = &materials[a];
         for (b, second) in materials.iter().enumerate().skip(a) {
             let Err(error) = contact.choice(a, b).bind(first, second) else {
                 continue;
@@ -218,39 +231,84 @@ fn pair_choice([normal, tangential, rolling, multi_contact]: Laws) -> PairChoice
     }
 }
 
+fn laws_of(choice: &PairChoice) -> Laws {
+    let PairChoice {
+        normal,
+        tangential,
+        rolling,
+        multi_contact,
+    } = choice.clone();
+    [Some(normal), tangential, rolling, multi_contact]
+}
+
 pub(super) fn contact(root: &TableReader<'_>, materials: &[Material]) -> ContactSpec {
     let mut spec = ContactSpec {
         default: nothing(),
         pairs: Vec::new(),
+        table: "contact".to_string(),
+        told: 0,
     };
     let meaning = "a table [contact] with the contact laws, as normal = { law = \"hertz-tsuji\", restitution = 0.9 }";
     let Some(table) = root.required("contact", meaning).and_then(|i| i.table()) else {
         return spec;
     };
-    let defaults = laws(&table, &[const { None }; 4]);
+    let defaults = laws(&table, &[const { None }; 4], Telling::WHOLE);
     if !table.has("normal") {
         let help = "write normal = { law = \"hertz-tsuji\", restitution = 0.9 }";
         table.fault("`normal` is missing: the law of normal contact", Some(help.to_string()));
     }
-    for entry in table
-        .optional("pair")
-        .map(|i| i.tables("contact.pair"))
-        .unwrap_or_default()
-    {
-        let between = between(&entry, materials);
-        let choice = pair_choice(laws(&entry, &defaults));
-        if let Some((a, b)) = between {
-            if spec.pairs.iter().any(|p| (p.0, p.1) == (a, b)) {
-                let (first, second) = (&materials[usize::from(a)].name, &materials[usize::from(b)].name);
-                entry.fault(format!("the pair `{first}` and `{second}` has two entries"), None);
-            }
-            spec.pairs.push((a, b, choice));
-        }
-        entry.finish("[[contact.pair]]");
-    }
+    spec.pairs = pairs(&table, materials, |entry, _| laws(entry, &defaults, Telling::WHOLE));
+    spec.told = spec.pairs.len();
     table.finish("[contact]");
     spec.default = pair_choice(defaults);
     spec
+}
+
+/// Laws that a stage tells. What it names holds for every pair; all else is as in `[contact]`.
+pub(super) fn contact_of_stage(table: &TableReader<'_>, base: &ContactSpec, materials: &[Material]) -> ContactSpec {
+    let default = pair_choice(laws(table, &laws_of(&base.default), Telling::OF_STAGE));
+    let over = |choice: &PairChoice| laws(table, &laws_of(choice), Telling::FOR_ALL_PAIRS);
+    let mut pairs = pairs(table, materials, |entry, between| {
+        let own = between.map(|(a, b)| over(&base.choice(a.into(), b.into())));
+        laws(entry, &own.unwrap_or_else(|| laws_of(&default)), Telling::OF_STAGE)
+    });
+    let told = pairs.len();
+    for (a, b, choice) in &base.pairs {
+        if pairs[..told].iter().all(|pair| (pair.0, pair.1) != (*a, *b)) {
+            pairs.push((*a, *b, pair_choice(over(choice))));
+        }
+    }
+    table.refuse_others("the contact laws of a stage");
+    ContactSpec {
+        default,
+        pairs,
+        table: table.path.clone(),
+        told,
+    }
+}
+
+/// The entries of pairs in a table, each with the laws that `read` finds for these materials.
+fn pairs(
+    table: &TableReader<'_>,
+    materials: &[Material],
+    read: impl Fn(&TableReader<'_>, Option<(u16, u16)>) -> Laws,
+) -> Vec<(u16, u16, PairChoice)> {
+    let mut pairs: Vec<(u16, u16, PairChoice)> = Vec::new();
+    let header = format!("{}.pair", table.path);
+    let entries = table.optional("pair").map(|i| i.tables(&header));
+    for entry in entries.unwrap_or_default() {
+        let between = between(&entry, materials);
+        let choice = pair_choice(read(&entry, between));
+        if let Some((a, b)) = between {
+            if pairs.iter().any(|p| (p.0, p.1) == (a, b)) {
+                let (first, second) = (&materials[usize::from(a)].name, &materials[usize::from(b)].name);
+                entry.fault(format!("the pair `{first}` and `{second}` has two entries"), None);
+            }
+            pairs.push((a, b, choice));
+        }
+        entry.finish(&format!("[[{header}]]"));
+    }
+    pairs
 }
 
 fn between(entry: &TableReader<'_>, materials: &[Material]) -> Option<(u16, u16)> {
@@ -267,14 +325,42 @@ fn between(entry: &TableReader<'_>, materials: &[Material]) -> Option<(u16, u16)
     (usize::from(a.max(b)) < materials.len()).then_some((a.min(b), a.max(b)))
 }
 
-fn laws(table: &TableReader<'_>, defaults: &Laws) -> Laws {
-    let mut chosen: Laws = [const { None }; 4];
-    for (index, (family, known)) in FAMILIES.into_iter().enumerate() {
-        let default = defaults[index].as_ref();
-        chosen[index] = match table.optional(family) {
-            None => default.cloned(),
-            Some(item) => law(&item, family, known, default),
-        };
+/// What a table may tell of laws.
+#[derive(Clone, Copy)]
+struct Telling {
+    /// How many of the families.
+    families: usize,
+    /// Whether values without a law stand for nothing where there is none.
+    may_be_in_vain: bool,
+}
+
+impl Telling {
+    const WHOLE: Self = Self {
+        families: FAMILIES.len(),
+        may_be_in_vain: false,
+    };
+    /// How surfaces are displaced holds for all stages.
+    const OF_STAGE: Self = Self {
+        families: 3,
+        may_be_in_vain: false,
+    };
+    const FOR_ALL_PAIRS: Self = Self {
+        families: 3,
+        may_be_in_vain: true,
+    };
+}
+
+fn laws(table: &TableReader<'_>, defaults: &Laws, telling: Telling) -> Laws {
+    let names_no_law =
+        |item: &Item<'_>| matches!(&item.node.value, Value::Table(keys) if keys.iter().all(|key| key.key != "law"));
+    let mut chosen = defaults.clone();
+    for (chosen, (family, known)) in chosen.iter_mut().zip(FAMILIES).take(telling.families) {
+        if let Some(item) = table.optional(family) {
+            let is_in_vain = telling.may_be_in_vain && chosen.is_none() && names_no_law(&item);
+            if !is_in_vain {
+                *chosen = law(&item, family, known, chosen.as_ref());
+            }
+        }
     }
     chosen
 }

@@ -23,6 +23,7 @@ mod impact_speeds;
 mod in_vain;
 mod input_files;
 mod interiors;
+mod laws_of_stages;
 mod live;
 mod materials;
 mod measures;
@@ -116,7 +117,7 @@ use glam::DVec3;
 use interiors::MeshWithoutUnit;
 use other_kind::refuse_other_kind;
 use reader::{Context, TableReader};
-use std::cell::RefCell;
+use std::cell::{Cell, RefCell};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -159,6 +160,8 @@ pub struct Scenario {
     pub stages: Vec<Stage>,
     /// Path of the table that told each stage, as `stage[1].stage[0]`.
     pub stage_paths: Vec<String>,
+    /// Contact laws that stages tell, by the number that these have for them.
+    pub stage_contacts: Vec<ContactSpec>,
     /// What is measured beside what every run measures.
     pub measures: Vec<MeasureSpec>,
     /// Output of the run.
@@ -219,6 +222,7 @@ impl Scenario {
         let mut faults = context.faults.into_inner();
         if faults.is_empty() {
             materials::check_laws(&read, &mut faults);
+            laws_of_stages::check(&read, &mut faults);
         }
         if faults.is_empty() { Ok(read) } else { Err(faults) }
     }
@@ -265,6 +269,9 @@ impl Scenario {
             removals: &removals,
             base,
             gravity: simulation.gravity,
+            materials: &materials,
+            contact: &contact,
+            laws_told: &Cell::default(),
         };
         let protocol = stages::protocol(&table, cast, told.intervals);
         table.finish("the scenario");
@@ -283,6 +290,7 @@ impl Scenario {
             walls,
             stages: protocol.stages,
             stage_paths: protocol.paths,
+            stage_contacts: protocol.contacts,
             measures,
             output: OutputSpec {
                 cadence: protocol.cadence,
@@ -310,6 +318,22 @@ impl Scenario {
         told.filter_map(|stage| stage.gravity)
             .next()
             .unwrap_or(self.simulation.gravity)
+    }
+
+    /// Contact laws in a stage, or behind the last.
+    pub(crate) fn contact_in(&self, stage: usize) -> &ContactSpec {
+        let mut told = self.stages.iter().take(stage.saturating_add(1)).rev();
+        let latest = told.find_map(|stage| stage.contact);
+        latest
+            .and_then(|index| self.stage_contacts.get(index))
+            .unwrap_or(&self.contact)
+    }
+
+    /// All contact laws that act in some stage, each once, in the order in which they first do.
+    pub(crate) fn contacts(&self) -> Vec<&ContactSpec> {
+        let first = self.contact_in(0);
+        let later = self.stage_contacts.iter().filter(|later| !std::ptr::eq(*later, first));
+        std::iter::once(first).chain(later).collect()
     }
 
     /// An empty list of faults, to which later checks add theirs by the path of the key at fault.

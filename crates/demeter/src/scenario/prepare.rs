@@ -5,15 +5,17 @@ use super::checks::{
     check_wall_speeds, wall_partners, with_free_walls,
 };
 use super::estimates::Fed;
+use super::laws_of_stages::{Bound, bind, materials};
 use super::meshes::{self, MeshOrigin};
 use super::traffic::sources;
 use super::{Diagnostics, Scenario, TimeStep, WallSpec, estimates, in_vain, periodic_walls, stray_walls};
 use crate::insertion::insert;
 use crate::materials::Materials;
 use crate::particles::{Domain, Grains, NewGrain, Origins, Outside};
-use crate::simulation::{FastestImpact, Setup, Simulation, Skin, TimeScale, Verdict, refusals, shortest_time_scale};
+use crate::simulation::{
+    FastestImpact, Setup, Simulation, Skin, TimeScale, TimeStepError, Verdict, refusals, shortest_time_scale,
+};
 use crate::walls::Wall;
-use demeter_physics::contact::LawError;
 use glam::DVec3;
 use std::borrow::Cow;
 
@@ -28,6 +30,8 @@ const SKIN_SHARE: f64 = 0.2;
 pub struct Prepared {
     /// What the simulation is made of.
     pub setup: Setup,
+    /// Materials with the laws of stages that tell others than the run begins with.
+    pub later: Vec<Materials>,
     /// Which batch every grain is of.
     pub origins: Origins,
     /// Grains of the sizes and materials that feeds will let come, at their inlets.
@@ -67,17 +71,18 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let mut faults = scenario.diagnostics();
     let mut warnings = Vec::new();
     super::plots::check(scenario, &mut faults);
-    let materials = materials(scenario, &mut faults);
+    let laws = bind(scenario, &mut faults);
     let (walls, meshes) = walls(scenario, &mut faults);
     check_stage_motions(scenario, &mut faults);
-    let are_coupled = materials.as_ref().is_some_and(Materials::are_coupled);
+    let first = laws.as_ref().and_then(|laws| laws.first());
+    let are_coupled = first.is_some_and(|first| first.materials.are_coupled());
     check_memory(scenario, &walls, are_coupled, &mut faults);
     if !faults.is_empty() {
         return Err(faults);
     }
     let (grains, origins) = grains(scenario, &mut faults, &mut warnings);
     let to_come = to_come(scenario, &mut faults);
-    let (Some(materials), true) = (materials, faults.is_empty()) else {
+    let (Some(laws), true) = (laws, faults.is_empty()) else {
         return Err(faults);
     };
     let mut all = Cow::Borrowed(&grains);
@@ -89,7 +94,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     super::deformation::check(scenario, &grains, None, &mut faults);
     meshes::check(scenario, &walls, &meshes, &grains, &all, &mut warnings);
     periodic_walls::check(&walls, &all, &domain, &mut warnings);
-    super::deformation::check_tensions(scenario, &grains, &materials, &mut warnings);
+    super::deformation::check_tensions(scenario, &grains, &laws, &mut warnings);
     super::walls_in_one_place::check((&walls, are_coupled), &all, &domain, &mut warnings);
     super::field_measures::check_kernels(&scenario.measures, &domain, &mut warnings);
     super::region_measures::check_gates(&scenario.measures, &all, &domain, &mut warnings);
@@ -110,13 +115,19 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
         faults.push("grains", "there is no grain", Some("add a [[grains]] table".into()));
     }
     let skin = (scenario.simulation.skin).map_or_else(|| Skin::Tuned(SKIN_SHARE * mean_radius(&all)), Skin::Fixed);
-    check_periodic_size(&all, &domain, skin.first(), &materials, scenario.deforms(), &mut faults);
-    let Some(scale) = time_scale(scenario, &all, &walls, &materials, &mut faults) else {
+    check_periodic_size(&all, &domain, skin.first(), &laws, scenario.deforms(), &mut faults);
+    let Some(scale) = time_scale(scenario, &all, &walls, &laws, &mut faults) else {
+        return Err(faults);
+    };
+    for laws in &laws {
+        super::impact_speeds::check_stiffness(scenario, (&all, &walls), &laws.materials, &mut warnings);
+    }
+    let mut laws = laws.into_iter().map(|laws| laws.materials);
+    let Some(materials) = laws.next() else {
         return Err(faults);
     };
     let (dt, reason) = time_step(scenario, &scale, &mut faults, &mut warnings);
     let fastest_impact = super::impact_speeds::check(scenario, (&all, &walls), &materials, &mut warnings);
-    super::impact_speeds::check_stiffness(scenario, (&all, &walls), &materials, &mut warnings);
     check_wall_speeds(scenario, &walls, &meshes, &all, dt, &mut faults);
     super::bodies::check(scenario, &walls, dt, &mut faults);
     super::bodies::check_parts(scenario, &walls, &mut warnings);
@@ -150,6 +161,7 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     let work = estimates::work(scenario, most, &walls, are_coupled, &stage_steps, dt);
     Ok(Prepared {
         fed,
+        later: laws.collect(),
         memory: estimates::memory(most, &walls, are_coupled) as u64,
         run_time: work.time,
         frames: work.frames,
@@ -180,20 +192,25 @@ pub fn prepare(scenario: &Scenario) -> Result<Prepared, Diagnostics> {
     })
 }
 
-/// The shortest time scale of the laws between these bodies; nothing where something is wrong with these or was before.
+/// The shortest time scale of the laws of all stages between these bodies; nothing where something is wrong with these or was before.
 pub(super) fn time_scale(
     scenario: &Scenario,
     grains: &Grains,
     walls: &[Wall],
-    materials: &Materials,
+    laws: &[Bound<'_>],
     faults: &mut Diagnostics,
 ) -> Option<TimeScale> {
     let partners = wall_partners(scenario, walls);
-    for (a, b, why) in refusals(grains, &partners, materials) {
-        let path = scenario.contact.path(a.into(), b.into());
-        faults.push(&format!("{path}.normal"), why, None);
+    for laws in laws {
+        for (a, b, why) in refusals(grains, &partners, &laws.materials) {
+            let path = laws.spec.path(a.into(), b.into());
+            faults.push(&format!("{path}.normal"), why, None);
+        }
     }
-    let scale = shortest_time_scale(grains, &partners, materials, scenario.simulation.max_overlap);
+    let of_each = (laws.iter())
+        .map(|laws| shortest_time_scale(grains, &partners, &laws.materials, scenario.simulation.max_overlap));
+    let shortest = of_each.reduce(|one, other| Ok(one?.or_shorter(other?)));
+    let scale = shortest.unwrap_or(Err(TimeStepError::NoGrains));
     match scale.and_then(|scale| with_free_walls(scale, scenario)) {
         Ok(scale) => faults.is_empty().then_some(scale),
         Err(error) => {
@@ -209,7 +226,7 @@ pub(super) fn time_scale(
 /// checkpoint holds.
 pub(super) fn prepare_to_resume(scenario: &Scenario, stage: usize, domain: Domain) -> Result<Setup, Diagnostics> {
     let mut faults = scenario.diagnostics();
-    let materials = materials(scenario, &mut faults);
+    let materials = materials(scenario, scenario.contact_in(stage), &mut faults);
     let (walls, _) = walls(scenario, &mut faults);
     let (Some(materials), true) = (materials, faults.is_empty()) else {
         return Err(faults);
@@ -230,14 +247,20 @@ pub(super) fn prepare_to_resume(scenario: &Scenario, stage: usize, domain: Domai
 
 /// Refuses what a changed scenario tells and a run with these grains, of its own and to come, cannot do with its time step, as [`prepare`]
 /// refuses it of a new one.
-pub(super) fn check_to_go_on(scenario: &Scenario, all: &Grains, sim: &Simulation, faults: &mut Diagnostics) {
+pub(super) fn check_to_go_on(
+    scenario: &Scenario,
+    laws: &[Bound<'_>],
+    all: &Grains,
+    sim: &Simulation,
+    faults: &mut Diagnostics,
+) {
     check_stage_motions(scenario, faults);
     let (walls, meshes) = walls(scenario, faults);
     let dt = sim.dt();
     check_wall_speeds(scenario, &walls, &meshes, all, dt, faults);
     super::bodies::check(scenario, &sim.walls, dt, faults);
     if !scenario.deforms() {
-        check_periodic_size(all, sim.domain(), sim.skin(), &sim.materials, false, faults);
+        check_periodic_size(all, sim.domain(), sim.skin(), laws, false, faults);
         check_feed_speeds(scenario, &to_come(scenario, faults), dt, faults);
     }
     super::deformation::check(scenario, sim.grains(), Some(dt), faults);
@@ -245,21 +268,6 @@ pub(super) fn check_to_go_on(scenario: &Scenario, all: &Grains, sim: &Simulation
 
 fn mean_radius(grains: &Grains) -> f64 {
     grains.radii().sum::<f64>() / grains.len().max(1) as f64
-}
-
-pub(super) fn materials(scenario: &Scenario, faults: &mut Diagnostics) -> Option<Materials> {
-    match Materials::new(scenario.materials.clone(), |a, b| scenario.contact.choice(a, b)) {
-        Ok(materials) => Some(materials.for_many_sizes()),
-        Err(error) => {
-            let help = match &error {
-                LawError::Unknown { .. } => Some("`demeter laws` lists all laws".to_string()),
-                LawError::Material { .. } => None,
-                LawError::Parameters { law, .. } => Some(format!("`demeter laws {law}` tells its parameters")),
-            };
-            faults.push("contact", error.to_string(), help);
-            None
-        }
-    }
 }
 
 fn walls(scenario: &Scenario, faults: &mut Diagnostics) -> (Vec<Wall>, Vec<Option<MeshOrigin>>) {

@@ -369,9 +369,9 @@ impl<'a> TableReader<'a> {
     /// Refuses every key that was not asked for so far.
     pub fn refuse_others(&self, place: &str) {
         let asked = self.asked.borrow();
+        let mut is_known = HashSet::new();
         let mut known: Vec<&str> = asked.iter().map(String::as_str).collect();
-        known.dedup();
-        let is_known: HashSet<&str> = known.iter().copied().collect();
+        known.retain(|key| is_known.insert(*key));
         for entry in self.entries.iter().filter(|e| !is_known.contains(e.key.as_str())) {
             let help = suggest_or_list(&entry.key, known.iter().copied());
             let message = format!("unknown key `{}` in {place}", entry.key);

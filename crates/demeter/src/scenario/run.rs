@@ -214,8 +214,8 @@ impl<'a> Runner<'a> {
         let files = folder.map(files).transpose()?;
         let (skin, coupling) = (prepared.setup.skin, prepared.setup.coupling);
         let mut sim = Simulation::new(prepared.setup);
-        if !scenario.feeds.is_empty() {
-            sim.expect_grains(&prepared.to_come, skin, coupling);
+        if !(scenario.feeds.is_empty() && prepared.later.is_empty()) {
+            sim.expect(&prepared.to_come, &prepared.later, skin, coupling);
         }
         if scenario.deforms() {
             let plan = scenario.domain.deform.unwrap_or_default();

@@ -126,6 +126,14 @@ pub enum RunError {
         /// Why.
         source: Box<ChangeError>,
     },
+    /// The state is none that the laws of a stage cover.
+    #[error("the laws of stage `{stage}` have no force for the state that it begins with: {source}")]
+    Laws {
+        /// The stage.
+        stage: String,
+        /// Why.
+        source: Box<Fault>,
+    },
     /// A wall comes where a grain is.
     #[error("stage `{stage}`: {source}")]
     WallInTheWay {
@@ -198,6 +206,7 @@ impl RunError {
             Self::Motion { .. }
             | Self::Deformation { .. }
             | Self::Gravity { .. }
+            | Self::Laws { .. }
             | Self::Feed { .. }
             | Self::Exchange(_) => 0,
             _ => return Err(self),

@@ -242,7 +242,7 @@ fn value(form: &Form, section: &str, shared: &mut Map<String, Value>) -> Value {
             json!({ "type": "object", "additionalProperties": reference(&schema_name(name)), "minProperties": 1 })
         }
         Form::ByName(of) => json!({ "type": "object", "additionalProperties": value(of, section, shared) }),
-        Form::Law(family) if section.ends_with("pair[]") => {
+        Form::Law(family) if section.ends_with("pair[]") || section.starts_with("stage[]") => {
             share(&format!("{family}-law-of-a-pair"), laws::law_of_pair(family))
         }
         Form::Law(family) => share(&format!("{family}-law"), laws::law(family)),

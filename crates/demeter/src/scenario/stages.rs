@@ -4,16 +4,19 @@ use super::column_stops;
 use super::deformation::{self, deformation};
 use super::document::{Value, join};
 use super::feeds::{FeedSpec, RemovalSpec, chosen, index_of};
+use super::materials::{ContactSpec, contact_of_stage};
 use super::motions::{Frame, motions};
 use super::quantity::Kind;
 use super::reader::{Item, TableReader};
 use super::settings::{Intervals, cadence, intervals};
 use super::walls::{WallSpec, wall_index};
+use crate::materials::Material;
 use crate::simulation::{Cadence, Deformation, Stage, StopCondition};
 use crate::walls::Motions;
 use demeter_physics::dimension::Dimension;
 use demeter_physics::parameters::Range;
 use glam::DVec3;
+use std::cell::Cell;
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -23,6 +26,8 @@ pub const MAX_STAGES: usize = 10_000;
 pub const MAX_REPEAT: i64 = 10_000;
 /// Deepest nesting of stages.
 const MAX_NESTING: usize = 8;
+/// Most contact laws, of all pairs of materials, that stages tell.
+const MAX_LAWS: usize = 100_000;
 /// Most steps of a stage.
 const MAX_STEPS: i64 = 1_000_000_000_000_000;
 
@@ -48,6 +53,7 @@ struct Single {
     removals: Option<Vec<usize>>,
     deformation: Option<Deformation>,
     gravity: Option<DVec3>,
+    contact: Option<ContactSpec>,
     intervals: Intervals,
 }
 
@@ -61,6 +67,11 @@ pub(super) struct Cast<'a> {
     pub base: &'a Path,
     /// Acceleration of gravity [m/s^2].
     pub gravity: DVec3,
+    pub materials: &'a [Material],
+    /// Contact laws of stages that tell none.
+    pub contact: &'a ContactSpec,
+    /// How many of pairs stages have told.
+    pub laws_told: &'a Cell<usize>,
 }
 
 /// The stages in order, each with the path of the table that told it, and the resolved cadence of the whole run.
@@ -69,6 +80,8 @@ pub(super) struct Protocol {
     pub paths: Vec<String>,
     /// Conditions on columns that are read once these are known, each with the path of the stage.
     pub columns: Vec<(String, column_stops::Told)>,
+    /// The contact laws that stages tell.
+    pub contacts: Vec<ContactSpec>,
     pub cadence: Cadence,
 }
 
@@ -77,6 +90,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
         stages: Vec::new(),
         paths: Vec::new(),
         columns: Vec::new(),
+        contacts: Vec::new(),
         cadence: cadence(told, 0.0),
     };
     let meaning = "at least one table [[stage]] with a `duration`";
@@ -104,6 +118,16 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             let told = single.columns.iter().map(|told| (stage.path.clone(), told.clone()));
             protocol.columns.extend(told);
         }
+        let contact = single.contact.as_ref().map(|contact| {
+            let known = protocol
+                .contacts
+                .iter()
+                .position(|known| known.table() == contact.table());
+            known.unwrap_or_else(|| {
+                protocol.contacts.push(contact.clone());
+                protocol.contacts.len() - 1
+            })
+        });
         protocol.paths.push(stage.path.clone());
         protocol.stages.push(Stage {
             name,
@@ -114,6 +138,7 @@ pub(super) fn protocol(root: &TableReader<'_>, cast: Cast<'_>, told: Intervals) 
             removals: single.removals.clone(),
             deformation: single.deformation,
             gravity: single.gravity,
+            contact,
             cadence: cadence(own, duration),
         });
     });
@@ -211,6 +236,7 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
     let deformation = deformation(&table);
     let acceleration = Kind::Physical(Dimension::ACCELERATION);
     let gravity = table.optional("gravity").map(|i| i.vector(acceleration));
+    let contact = table.optional("contact").and_then(|item| contact(&item, cast));
     let output = table.optional("output").and_then(|i| i.table());
     let intervals = output.map_or([None; 3], |output| {
         let read = intervals(&output);
@@ -227,8 +253,24 @@ fn single(table: TableReader<'_>, cast: Cast<'_>) -> Content {
         removals,
         deformation,
         gravity,
+        contact,
         intervals,
     }))
+}
+
+/// Contact laws of a stage; nothing, with a fault, where stages tell too many.
+fn contact(item: &Item<'_>, cast: Cast<'_>) -> Option<ContactSpec> {
+    let told = item.table()?;
+    let all = cast.laws_told.get() + 1 + cast.contact.pairs.len();
+    if all > MAX_LAWS {
+        item.fault(
+            format!("stages tell the contact laws of more than {MAX_LAWS} pairs of materials, each stage with `contact` those of all entries of `[[contact.pair]]`"),
+            Some("let stages repeat, or give fewer pairs laws of their own".to_string()),
+        );
+        return None;
+    }
+    cast.laws_told.set(all);
+    Some(contact_of_stage(&told, cast.contact, cast.materials))
 }
 
 /// Reads the conditions of a table `stop`; that on a column is not complete yet.

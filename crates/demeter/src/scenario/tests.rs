@@ -18,6 +18,8 @@ use crate::measure::{ContactNetwork, ForceDistribution, WallsLoad};
 use crate::particles::Outside;
 use crate::simulation::StopCondition;
 use crate::walls::{Motion, Motions, Shape, Side};
+use demeter_physics::contact::LawChoice;
+use demeter_physics::parameters::Value as ParameterValue;
 use glam::{DVec3, dvec3};
 use std::f64::consts::PI;
 
@@ -61,6 +63,35 @@ fn a_component_of_a_vector_is_changed_by_its_number() {
     );
     let text = refused("title[0]=a");
     assert!(text.contains("cannot be set below"), "{text}");
+}
+
+#[test]
+fn contact_laws_of_a_stage_are_those_of_all_where_it_tells_them() {
+    let scenario = read_good("every_stop.toml");
+    let told = |stage: usize, a: usize, b: usize| {
+        let choice = scenario.contact_in(stage).choice(a, b);
+        let number = |law: &LawChoice, key: &str| match law.parameters.get(key) {
+            Some(ParameterValue::Number(value)) => Some(*value),
+            _ => None,
+        };
+        let restitution = number(&choice.normal, "restitution").unwrap();
+        let friction = choice.tangential.as_ref().and_then(|law| number(law, "friction"));
+        (choice.normal.law, restitution, friction)
+    };
+    let hertz = |restitution, friction| ("hertz-tsuji".to_string(), restitution, Some(friction));
+    let linear = |restitution| ("linear".to_string(), restitution, None);
+    let (gel, steel) = (0, 1);
+    for stage in [0, 1] {
+        assert_eq!(told(stage, gel, gel), hertz(0.5, 0.1));
+        assert_eq!(told(stage, gel, steel), hertz(0.5, 0.02));
+        assert_eq!(told(stage, steel, steel), linear(0.9));
+    }
+    for stage in [2, 3, scenario.stages.len()] {
+        assert_eq!(told(stage, gel, gel), hertz(0.3, 0.3));
+        assert_eq!(told(stage, steel, gel), hertz(0.3, 0.0));
+        assert_eq!(told(stage, steel, steel), linear(0.6));
+    }
+    assert_eq!(scenario.contacts().len(), 2);
 }
 
 #[test]

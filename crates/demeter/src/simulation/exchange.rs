@@ -4,6 +4,7 @@ use super::time_step::largest_reach;
 use super::{Energies, Simulation, SkinTuner};
 use crate::contacts::Coupling;
 use crate::insertion::{Vicinity, first_overlap};
+use crate::materials::Materials;
 use crate::particles::{Grains, HigherDerivatives, NewGrain};
 use crate::simulation::{Skin, WallPartner};
 use crate::step::CouplingState;
@@ -88,12 +89,14 @@ pub enum ExchangeError {
 
 impl Simulation {
     /// Prepares a run that has not started for grains of other sizes and materials than those of its start, as `to_come`
-    /// shows them: how far laws reach, how wide the skin may be, how far surfaces may bulge.
-    pub fn expect_grains(&mut self, to_come: &Grains, skin: Skin, scheme: Coupling) {
+    /// shows them, and for other laws: how far these reach, how wide the skin may be, how far surfaces may bulge.
+    pub fn expect(&mut self, to_come: &Grains, later: &[Materials], skin: Skin, scheme: Coupling) {
         let mut all = self.grains.clone();
         all.append(to_come);
         let walls: Vec<WallPartner> = self.walls.iter().map(WallPartner::of).collect();
-        self.max_reach = largest_reach(&all, &walls, &self.materials);
+        let laws = std::iter::once(&self.materials).chain(later);
+        let reaches = laws.map(|laws| largest_reach(&all, &walls, laws));
+        self.max_reach = reaches.fold(0.0, f64::max);
         self.coupling = CouplingState::new(scheme, &all, &self.materials);
         let beyond_touch = (self.max_reach, self.coupling.is_some());
         self.tuner = SkinTuner::new(skin, &all, self.comm.domain(), beyond_touch);

@@ -3,6 +3,8 @@
 use super::time_step::largest_reach;
 use super::{Simulation, WallPartner};
 use crate::contacts::Fault;
+use crate::contacts::laws;
+use crate::materials::Materials;
 use crate::particles::{HigherDerivatives, MOST_CROSSINGS, can_be_counted};
 use glam::DVec3;
 
@@ -115,10 +117,30 @@ impl Simulation {
         })
     }
 
+    /// Lets other laws act from now on, which remember what those before did and displace surfaces as they did; no other reaches farther, as
+    /// [`Simulation::expect`] was told. The change of energy is booked as custom work.
+    pub(crate) fn follow_other_laws(&mut self, materials: Materials) -> Result<(), Fault> {
+        if self.materials == materials {
+            return Ok(());
+        }
+        let before = self.present_energy();
+        self.resists_rolling = laws::resists_rolling(&materials);
+        self.materials = materials;
+        self.find_forces_of_other_laws()?;
+        self.book_change_since(before);
+        Ok(())
+    }
+
+    /// Has contacts looked for as far as such laws reach, too.
+    pub(crate) fn reach_as_far_as<'m>(&mut self, laws: impl Iterator<Item = &'m Materials>) {
+        let walls: Vec<WallPartner> = self.walls.iter().map(WallPartner::of).collect();
+        let reaches = laws.map(|laws| largest_reach(&self.grains, &walls, laws));
+        self.max_reach = reaches.fold(self.max_reach, f64::max);
+    }
+
     /// Lets the laws act that it has now in place of others, under which contacts began and candidates were found.
     pub(crate) fn find_forces_of_other_laws(&mut self) -> Result<(), Fault> {
-        let walls: Vec<WallPartner> = self.walls.iter().map(WallPartner::of).collect();
-        self.max_reach = self.max_reach.max(largest_reach(&self.grains, &walls, &self.materials));
+        self.hear_corrected_places();
         self.grains.higher.fill(HigherDerivatives::default());
         self.near.look_anew();
         if self.is_started() {
@@ -131,7 +153,7 @@ impl Simulation {
     /// Books what the energy became by other laws, another gravity or other walls, as work from outside; `before`: what it was [J].
     pub(crate) fn book_change_since(&mut self, before: f64) {
         if self.is_started() {
-            let after = self.mechanical_energies().present();
+            let after = self.present_energy();
             self.books.intervene(after - before);
         }
     }
@@ -171,7 +193,9 @@ impl Simulation {
     fn find_forces_anew(&mut self) -> Result<(), Fault> {
         let dt = self.dt;
         self.dt = SHORT_STEP * dt;
-        let found = self.find_first_forces();
+        // once to let springs give way at once that bear more than they may now, and once for the power of what then acts
+        let found = self.find_first_forces().and_then(|()| self.find_first_forces());
+        self.books.go_on_with(self.step_tally(), 1.0 / SHORT_STEP);
         self.dt = dt;
         found
     }
@@ -190,7 +214,7 @@ impl Simulation {
 
     /// Changes grains and books what that did.
     fn change(&mut self, work: impl FnOnce(&mut Self) -> Result<(), Fault>) -> Result<(), ChangeError> {
-        let before = self.mechanical_energies().present();
+        let before = self.present_energy();
         let done = work(self);
         // what was remembered of the motion belongs to the one before
         self.grains.higher.fill(HigherDerivatives::default());

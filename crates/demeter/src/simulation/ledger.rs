@@ -146,6 +146,18 @@ impl Books {
         self.latest = step;
     }
 
+    /// Takes forces that were found anew for those of the latest step: half a step of them lies ahead. Told is what they do in a time so
+    /// many times shorter.
+    pub(crate) fn go_on_with(&mut self, work: Tally, times: f64) {
+        self.latest = Tally {
+            viscous: times * work.viscous,
+            friction: times * work.friction,
+            rolling: times * work.rolling,
+            wall_work: times * work.wall_work,
+            ..Tally::default()
+        };
+    }
+
     /// Books work of contacts across the sides of a box that deforms [J].
     pub(crate) fn work_across(&mut self, work: f64) {
         self.boundary += work;
@@ -307,6 +319,11 @@ impl Simulation {
     pub fn energies(&mut self) -> Energies {
         let now = self.energies_now(self.books.latest);
         self.books.close(now)
+    }
+
+    /// What is there at this moment, as the books tell it [J]. Where processes share the run each calls this.
+    pub(crate) fn present_energy(&mut self) -> f64 {
+        self.energies_now(self.books.latest).present()
     }
 
     /// Kinetic, gravitational and stored energies at this moment, of all processes; what springs in the contact plane store is that of half a step later.

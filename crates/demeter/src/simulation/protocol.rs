@@ -146,6 +146,8 @@ pub struct Stage {
     pub deformation: Option<Deformation>,
     /// Acceleration of gravity from the start of the stage on [m/s^2]; that of the stage before when absent.
     pub gravity: Option<DVec3>,
+    /// Number of the contact laws, among those that stages tell, from the start of the stage on; those of the stage before when absent.
+    pub contact: Option<usize>,
     /// How often things are written.
     pub cadence: Cadence,
 }

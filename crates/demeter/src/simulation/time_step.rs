@@ -123,6 +123,19 @@ impl TimeScale {
         }
     }
 
+    /// The shorter of both times, and the springs that bear the shorter step.
+    pub(crate) fn or_shorter(mut self, other: Self) -> Self {
+        if other.springs.step < self.springs.step {
+            self.springs = other.springs;
+        }
+        // a scale that is not a number must win, so that it is told
+        let is_longer = other.time >= self.time;
+        if !is_longer {
+            (self.time, self.origin) = (other.time, other.origin);
+        }
+        self
+    }
+
     fn if_usable(self) -> Result<Self, TimeStepError> {
         let dt = self.automatic();
         if self.time.is_finite() && dt > 0.0 && dt.is_normal() {
@@ -218,18 +231,10 @@ pub fn shortest_time_scale(
     let mut shortest: Option<TimeScale> = None;
     each_contact(grains, walls, materials, |pair, one, other| {
         let scale = of_contact(materials, pair, one, other, max_overlap);
-        let Some(known) = &mut shortest else {
-            shortest = Some(scale);
-            return;
-        };
-        if scale.springs.step < known.springs.step {
-            known.springs = scale.springs;
-        }
-        // a scale that is not a number must win, so that it is told
-        let is_longer = scale.time >= known.time;
-        if !is_longer {
-            (known.time, known.origin) = (scale.time, scale.origin);
-        }
+        shortest = Some(match shortest.take() {
+            None => scale,
+            Some(known) => known.or_shorter(scale),
+        });
     });
     shortest.ok_or(TimeStepError::NoGrains)?.if_usable()
 }

@@ -339,7 +339,7 @@ fn all_end_with_the_fault_of_one() {
 }
 
 #[test]
-fn gravity_of_a_stage_is_that_of_one_process_and_lasts() {
+fn what_a_stage_changes_is_that_of_one_process_and_lasts() {
     let place = tempfile::tempdir().unwrap();
     let [one, two, parts] = ["one", "two", "parts"].map(|name| place.path().join(name));
     let scenario = scenario("tilted.toml", &[]);

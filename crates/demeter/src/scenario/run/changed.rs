@@ -1,10 +1,10 @@
 //! A run that goes on with a scenario that was changed.
 
 use super::{Observer, RunState, Runner};
-use crate::contacts::laws::memories;
 use crate::materials::Materials;
 use crate::scenario::Scenario;
-use crate::scenario::prepare::{check_to_go_on, materials, prepare_to_resume, time_scale, to_come};
+use crate::scenario::laws_of_stages::{Bound, OtherMemory, bind, other_memory};
+use crate::scenario::prepare::{check_to_go_on, prepare_to_resume, time_scale, to_come};
 use crate::scenario::run_error::RunError;
 use crate::simulation::{Deformation, Simulation, Stage, Verdict};
 use crate::walls::Motions;
@@ -16,7 +16,10 @@ pub(in crate::scenario) struct Former {
     scenario: Scenario,
     /// The stage of it that the run is in, or their number behind the last.
     stage: usize,
+    /// What acted.
     materials: Materials,
+    /// Laws of all its stages.
+    laws: Vec<Materials>,
     /// Acceleration of gravity [m/s^2].
     gravity: DVec3,
     /// What was there under its laws, its gravity and with its walls [J].
@@ -27,19 +30,21 @@ impl Former {
     /// That of a state which is to go on with `is`; refused where contacts would have to remember something else.
     pub(in crate::scenario) fn of(scenario: Scenario, state: &RunState<'_>, is: &Scenario) -> Result<Self, RunError> {
         let setup = prepare_to_resume(&scenario, state.place.stage, state.domain)?;
-        let mut faults = is.diagnostics();
-        let Some(told) = materials(is, &mut faults) else {
-            return Err(faults.into());
-        };
-        let (former, gravity) = (setup.materials.clone(), setup.gravity);
-        remember_alike(&told, &former)?;
-        let present = Simulation::resume(setup, state.simulation.clone())?
-            .mechanical_energies()
-            .present();
+        let (materials, gravity) = (setup.materials.clone(), setup.gravity);
+        let told = laws_of(is)?;
+        // those of later stages remember the same
+        if let Some(OtherMemory { pair, is, was }) =
+            told.first().and_then(|told| other_memory(&told.materials, &materials))
+        {
+            return Err(RunError::OtherLaws { pair, is, was });
+        }
+        let laws = laws_of(&scenario)?.into_iter().map(|laws| laws.materials).collect();
+        let present = Simulation::resume(setup, state.simulation.clone())?.present_energy();
         Ok(Self {
             scenario,
             stage: state.place.stage,
-            materials: former,
+            materials,
+            laws,
             gravity,
             present,
         })
@@ -65,34 +70,10 @@ impl Former {
     }
 }
 
-/// Refuses laws that remember something else than those of the same pair did.
-fn remember_alike(told: &Materials, former: &Materials) -> Result<(), RunError> {
-    let names = |list: [Option<(&str, usize)>; 3]| {
-        let names: Vec<String> = list
-            .into_iter()
-            .flatten()
-            .map(|(name, _)| format!("`{name}`"))
-            .collect();
-        if names.is_empty() {
-            "none".to_string()
-        } else {
-            names.join(", ")
-        }
-    };
-    for (a, one) in told.list().iter().enumerate() {
-        for (b, other) in told.list().iter().enumerate().skip(a) {
-            let pair = told.pair(a as u16, b as u16);
-            let (is, was) = (memories(told.law(pair)), memories(former.law(pair)));
-            if is != was {
-                return Err(RunError::OtherLaws {
-                    pair: format!("`{}` and `{}`", one.name, other.name),
-                    is: names(is),
-                    was: names(was),
-                });
-            }
-        }
-    }
-    Ok(())
+/// Laws of all stages of a scenario.
+fn laws_of(scenario: &Scenario) -> Result<Vec<Bound<'_>>, RunError> {
+    let mut faults = scenario.diagnostics();
+    bind(scenario, &mut faults).ok_or_else(|| faults.into())
 }
 
 /// What a scenario tells of walls, feeds, removals and the box until a stage, and what so holds in it.
@@ -148,6 +129,7 @@ impl<'s> InForce<'s> {
             deformation: (self.deformation != was.deformation).then_some(self.deformation),
             // acts already
             gravity: None,
+            contact: None,
             ..stage.clone()
         }
     }
@@ -162,9 +144,12 @@ impl Runner<'_> {
         observer: &mut dyn Observer,
     ) -> Result<(), RunError> {
         let (sim, was) = (&mut self.sim, &former.scenario);
-        let has_other_laws = sim.materials.laws() != former.materials.laws() || sim.gravity != former.gravity;
-        let mut warnings = check(self.scenario, sim, was, has_other_laws)?;
+        let laws = laws_of(self.scenario)?;
+        let acts_otherwise = sim.materials.laws() != former.materials.laws() || sim.gravity != former.gravity;
+        let has_other_laws = acts_otherwise || laws.iter().map(|laws| &laws.materials).ne(&former.laws);
+        let mut warnings = check(self.scenario, &laws, sim, was, has_other_laws)?;
         if has_other_laws {
+            sim.reach_as_far_as(laws.iter().map(|laws| &laws.materials));
             let found = self.sim.find_forces_of_other_laws();
             found.map_err(|fault| RunError::BeyondLaws(Box::new(fault)))?;
         }
@@ -192,11 +177,17 @@ impl Runner<'_> {
 }
 
 /// Refuses what the scenario tells now and the run cannot do with its time step; what is to be told of it.
-fn check(scenario: &Scenario, sim: &Simulation, was: &Scenario, has_other_laws: bool) -> Result<Vec<String>, RunError> {
+fn check(
+    scenario: &Scenario,
+    laws: &[Bound<'_>],
+    sim: &Simulation,
+    was: &Scenario,
+    has_other_laws: bool,
+) -> Result<Vec<String>, RunError> {
     let mut faults = scenario.diagnostics();
     let mut all = sim.grains().clone();
     all.append(&to_come(scenario, &mut faults));
-    check_to_go_on(scenario, &all, sim, &mut faults);
+    check_to_go_on(scenario, laws, &all, sim, &mut faults);
     if !faults.is_empty() {
         return Err(faults.into());
     }
@@ -212,7 +203,7 @@ fn check(scenario: &Scenario, sim: &Simulation, was: &Scenario, has_other_laws: 
     if !has_other_laws && !has_other_bodies {
         return Ok(Vec::new());
     }
-    let scale = time_scale(scenario, &all, &sim.walls, &sim.materials, &mut faults);
+    let scale = time_scale(scenario, &all, &sim.walls, laws, &mut faults);
     let Some(scale) = scale else {
         return Err(faults.into());
     };

@@ -5,6 +5,7 @@ use crate::measure::kinetic_over_elastic;
 use crate::output::{StageSummary, wall_summaries};
 use crate::scenario::column_stops;
 use crate::scenario::deformation::reached;
+use crate::scenario::laws_of_stages::materials;
 use crate::scenario::run_error::RunError;
 use crate::scenario::solids::enclosed_by;
 use crate::scenario::words::{quantity, rounded};
@@ -25,9 +26,26 @@ impl<'a> Runner<'a> {
         let Some(stage) = self.scenario.stages.get(self.place.stage) else {
             return Ok(());
         };
+        if stage.contact.is_some() {
+            self.follow_laws_of(stage)?;
+        }
         self.set_up(stage, observer)?;
         self.sim.mark_strain();
         Ok(())
+    }
+
+    /// Lets the contact laws act that hold from this stage on.
+    fn follow_laws_of(&mut self, stage: &Stage) -> Result<(), RunError> {
+        let mut faults = self.scenario.diagnostics();
+        let told = self.scenario.contact_in(self.place.stage);
+        let Some(materials) = materials(self.scenario, told, &mut faults) else {
+            return Err(faults.into());
+        };
+        let followed = self.sim.follow_other_laws(materials);
+        followed.map_err(|source| RunError::Laws {
+            stage: stage.name.clone(),
+            source: Box::new(source),
+        })
     }
 
     /// Tells feeds, removals, the box and walls what a stage has them do.

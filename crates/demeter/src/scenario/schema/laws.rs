@@ -31,7 +31,7 @@ pub(super) fn law(family: &str) -> Value {
     json!({ "oneOf": choices })
 }
 
-/// A law of one pair: what it does not name is that of `[contact]`.
+/// A law of one pair, or of a stage: what it does not name is that of `[contact]`.
 pub(super) fn law_of_pair(family: &str) -> Value {
     let laws = of_family(family);
     let mut names: Vec<&str> = laws.iter().map(|law| law.name).collect();

@@ -247,6 +247,7 @@ motion = { table = { file = "there-is-none.csv" } }
 from = "1 mm"
 [[stage]]
 output = { checkpoints = "1 s" }
+contact = { rolling = { law = "epsd" }, pair = [{ rolling = { law = "epsd" } }] }
 "#;
 
 #[test]
