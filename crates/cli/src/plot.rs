@@ -12,7 +12,7 @@ use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
 
 /// Folders of a run that hold tables.
-const FOLDERS: [&str; 5] = ["distributions", "profiles", "fields", "paths", "chains"];
+const FOLDERS: [&str; 6] = ["distributions", "profiles", "fields", "paths", "chains", "removals"];
 
 /// Draws columns, or lists them.
 pub fn plot(arguments: &PlotArguments) -> Result<Exit, Failure> {

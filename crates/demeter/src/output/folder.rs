@@ -267,6 +267,22 @@ impl RunFolder {
         self.paths().join(format!("{measure}.vtp"))
     }
 
+    /// Folder of the grains that removals took; [`RunFolder::make_removals`] makes it.
+    pub fn removals(&self) -> PathBuf {
+        self.root.join("removals")
+    }
+
+    /// Makes the folder of the grains that removals took.
+    pub fn make_removals(&self) -> Result<(), OutputError> {
+        let sub = self.removals();
+        fs::create_dir_all(&sub).map_err(OutputError::io("make the folder", &sub))
+    }
+
+    /// The grains that a removal took, by its name.
+    pub fn removal(&self, name: &str) -> PathBuf {
+        self.removals().join(format!("{name}.csv"))
+    }
+
     /// A plot, by name without extension.
     pub fn plot(&self, name: &str) -> PathBuf {
         self.plots().join(format!("{}.svg", file_stem(name)))

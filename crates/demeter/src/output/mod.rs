@@ -41,8 +41,8 @@ pub use series::{
 };
 pub use summary::{EnergySummary, StageSummary, Summary, WallSummary, wall_summaries};
 pub use tables::{
-    MomentTable, collision_rows, collision_titles, path_lines, path_row, path_titles, residence_row, residence_titles,
-    ring_row, ring_titles, rose_rows, rose_titles,
+    GoneGrain, MomentTable, collision_rows, collision_titles, gone_row, gone_titles, path_lines, path_row, path_titles,
+    residence_row, residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
 };
 pub use vtk::{BOX, BOX_PERIODIC, FrameWriter, MATERIAL_NAMES, MEAN_NORMAL_FORCE, WALL_NAMES};
 pub(crate) use vtk::{box_fields, tell as tell_frame};

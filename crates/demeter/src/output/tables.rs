@@ -1,4 +1,4 @@
-//! Tables that grow with every row of the series: residence times, roses of contact angles, and paths of grains.
+//! Tables that grow with every row of the series: residence times, roses of contact angles, paths of grains, and grains that went.
 
 use super::distribution::{ABOVE, BETWEEN, bin_title};
 use super::error::OutputError;
@@ -8,6 +8,7 @@ use super::vtk_file::{NewArray, NewPolyData};
 use super::vtp::Cells;
 use crate::measure::{Counted, EnergyBins, Measures, PathPoint, Ring, Rose};
 use glam::DVec3;
+use serde::{Deserialize, Serialize};
 use std::path::Path;
 
 /// Columns in front of those of the bins of a distribution by bins.
@@ -183,6 +184,71 @@ pub fn path_row(point: &PathPoint) -> Vec<String> {
         cells.extend(vector.to_array().map(number));
     }
     cells.push(point.contacts.to_string());
+    cells
+}
+
+/// A grain that a removal took.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct GoneGrain {
+    /// When [s].
+    pub time: f64,
+    /// Its id.
+    pub id: u32,
+    /// Its material.
+    pub material: u16,
+    /// Its diameter [m].
+    pub diameter: f64,
+    /// Its mass [kg].
+    pub mass: f64,
+    /// Its centre, counted on across periodic sides [m].
+    pub place: DVec3,
+    /// Its velocity [m/s].
+    pub velocity: DVec3,
+    /// Number of the batch or feed that it came from; batches count first.
+    pub source: Option<u16>,
+    /// Its tag.
+    pub tag: i32,
+    /// How long it was in the run [s].
+    pub stay: f64,
+}
+
+/// Titles of the grains that a removal took.
+pub fn gone_titles() -> Vec<String> {
+    [
+        "removed at [s]",
+        "id",
+        "material",
+        "batch",
+        "tag",
+        "diameter [m]",
+        "mass [kg]",
+        "x [m]",
+        "y [m]",
+        "z [m]",
+        "velocity x [m/s]",
+        "velocity y [m/s]",
+        "velocity z [m/s]",
+        "residence [s]",
+    ]
+    .map(str::to_owned)
+    .to_vec()
+}
+
+/// The row of a grain that a removal took, with the names of its material and its batch or feed.
+pub fn gone_row(grain: &GoneGrain, material: &str, source: &str) -> Vec<String> {
+    let mut cells = vec![
+        number(grain.time),
+        grain.id.to_string(),
+        material.to_string(),
+        source.to_string(),
+        grain.tag.to_string(),
+        number(grain.diameter),
+        number(grain.mass),
+    ];
+    for vector in [grain.place, grain.velocity] {
+        cells.extend(vector.to_array().map(number));
+    }
+    cells.push(number(grain.stay));
     cells
 }
 

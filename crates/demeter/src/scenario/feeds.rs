@@ -4,6 +4,7 @@ use super::document::{Value, join};
 use super::grains::{Surroundings, cylinder};
 use super::interiors::{closed_mesh, open_mesh};
 use super::materials::material_index;
+use super::measures::of_one_word;
 use super::quantity::Kind;
 use super::reader::{Item, TableReader, suggest_or_list};
 use super::sizes::diameter;
@@ -91,6 +92,8 @@ pub struct RemovalSpec {
     pub selection: Selection,
     /// Time between two times at which grains go [s]; [`EXCHANGE_EVERY`] steps when absent.
     pub every: Option<f64>,
+    /// Whether every grain that goes is listed.
+    pub list: bool,
 }
 
 const TIME: Kind = Kind::Physical(Dimension::TIME);
@@ -265,10 +268,22 @@ pub(super) fn removals(root: &TableReader<'_>, named: &Named<'_>) -> Vec<Removal
                 .unwrap_or_default(),
             selection: selection(&table, named),
             every: table.optional_quantity("every", TIME, Range::POSITIVE),
+            list: table.optional("list").is_some_and(|item| listed(&item, &table)),
         };
         table.finish("a removal");
         removal
     })
+}
+
+/// Whether the grains that a removal takes are listed, in a file of its name.
+fn listed(item: &Item<'_>, table: &TableReader<'_>) -> bool {
+    let list = item.boolean();
+    if let (true, Err((rule, instead))) = (list, of_one_word(&table.text_of("name"))) {
+        let path = join(&table.path, "name");
+        let message = format!("`name`, of the file that `list` writes, must be {rule}");
+        item.context.fault(&path, message, instead);
+    }
+    list
 }
 
 /// A list of names of feeds or removals in a stage, as indices.

@@ -205,24 +205,31 @@ pub(super) fn measures(root: &TableReader<'_>, named: &Named<'_>) -> Vec<Measure
 /// A name that is a file name everywhere, and one word in the title of a column; empty when it is none.
 fn word(item: &Item<'_>) -> String {
     let text = item.text();
+    match of_one_word(&text) {
+        Ok(()) => return text,
+        Err((rule, instead)) if matches!(&item.node.value, super::document::Value::String(_)) => {
+            item.fault(format!("`{}` must be {rule}", item.name), instead);
+        }
+        Err(_) => {}
+    }
+    String::new()
+}
+
+/// What a name of a file must be, and what this one could be, where it is not that.
+pub(super) fn of_one_word(text: &str) -> Result<(), (String, Option<String>)> {
     let plain = |c: char| c.is_ascii_alphanumeric() || "-_".contains(c);
     if (1..=MAX_NAME).contains(&text.len())
         && text.starts_with(|c: char| c.is_ascii_alphanumeric())
         && text.chars().all(plain)
     {
-        return text;
+        return Ok(());
     }
-    if matches!(&item.node.value, super::document::Value::String(_)) {
-        let message = format!(
-            "`{}` must be one word of 1 to {MAX_NAME} letters (a to z), digits, `-` and `_`, and begin with a letter or digit",
-            item.name
-        );
-        let hyphens: String = text.chars().map(|c| if plain(c) { c } else { '-' }).collect();
-        let hyphens = hyphens.trim_matches('-');
-        let short = (1..=MAX_NAME).contains(&hyphens.len());
-        item.fault(message, short.then(|| format!("write it as \"{hyphens}\"")));
-    }
-    String::new()
+    let rule =
+        format!("one word of 1 to {MAX_NAME} letters (a to z), digits, `-` and `_`, and begin with a letter or digit");
+    let hyphens: String = text.chars().map(|c| if plain(c) { c } else { '-' }).collect();
+    let hyphens = hyphens.trim_matches('-');
+    let short = (1..=MAX_NAME).contains(&hyphens.len());
+    Err((rule, short.then(|| format!("write it as \"{hyphens}\""))))
 }
 
 fn kind(table: TableReader<'_>, named: &Named<'_>) -> Option<MeasureKind> {

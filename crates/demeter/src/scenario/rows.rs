@@ -1,7 +1,7 @@
 //! What a run writes row by row: the series, and a distribution for every measure that asks for one.
 
 use super::checks::told_motions;
-use super::measures::{MeasureKind, MeasureSpec, distributions, networks, profiles};
+use super::measures::{MeasureKind, distributions, networks, profiles};
 use super::traffic::Traffic;
 use super::{Scenario, run::labels};
 use crate::measure::{
@@ -9,9 +9,9 @@ use crate::measure::{
     ToldColumn, WALL_MOTION_COLUMNS, WEAR_COLUMNS, box_titles, box_values, measure, wall_motion_values, wear_values,
 };
 use crate::output::{
-    DistributionWriter, MomentTable, OutputError, ProfileWriter, RowFile, RunFolder, SeriesTable, SeriesWriter,
-    collision_rows, collision_titles, path_row, path_titles, residence_row, residence_titles, ring_row, ring_titles,
-    rose_rows, rose_titles,
+    DistributionWriter, GoneGrain, MomentTable, OutputError, ProfileWriter, RowFile, RunFolder, SeriesTable,
+    SeriesWriter, collision_rows, collision_titles, gone_row, gone_titles, path_row, path_titles, residence_row,
+    residence_titles, ring_row, ring_titles, rose_rows, rose_titles,
 };
 use crate::simulation::Simulation;
 use std::collections::BTreeSet;
@@ -42,6 +42,8 @@ enum Told<'a> {
     Angles(&'a ContactAngles),
     Paths(&'a Paths),
     Rings(&'a CylinderProfile),
+    /// What the removal of this number took.
+    Gone(usize, &'a Scenario),
 }
 
 impl Told<'_> {
@@ -51,6 +53,7 @@ impl Told<'_> {
             Self::Residence(..) | Self::Collisions(..) | Self::Angles(_) => folder.distribution(measure),
             Self::Rings(_) => folder.profile(measure),
             Self::Paths(_) => folder.path_table(measure),
+            Self::Gone(..) => folder.removal(measure),
         }
     }
 
@@ -65,6 +68,22 @@ impl Told<'_> {
                 rings.iter().enumerate().map(|(k, ring)| ring_row(k, ring)).collect()
             }
             Self::Paths(paths) => paths.measure(sim, origins).iter().map(path_row).collect(),
+            Self::Gone(removal, scenario) => {
+                let batches = scenario.grains.iter().map(|batch| batch.name.as_str());
+                let sources: Vec<&str> = batches
+                    .chain(scenario.feeds.iter().map(|feed| feed.name.as_str()))
+                    .collect();
+                let row = |grain: &GoneGrain| {
+                    let material = scenario.materials.get(usize::from(grain.material));
+                    let source = grain.source.and_then(|source| sources.get(usize::from(source)));
+                    gone_row(
+                        grain,
+                        material.map_or("", |material| &material.name),
+                        source.unwrap_or(&""),
+                    )
+                };
+                traffic.listed(*removal).iter().map(row).collect()
+            }
         }
     }
 }
@@ -91,7 +110,7 @@ impl<'a> Rows<'a> {
             networks: networks(measures).map(|(_, network)| network).collect(),
             distributions: distributions(measures).map(|(_, bins)| (bins, None)).collect(),
             profiles: profiles(measures).map(|(_, profile)| (profile, None)).collect(),
-            tables: told_in_tables(measures).map(|(_, told)| (told, None)).collect(),
+            tables: told_in_tables(scenario).map(|(_, told)| (told, None)).collect(),
         }
     }
 
@@ -108,7 +127,7 @@ impl<'a> Rows<'a> {
         let measures = &scenario.measures;
         let bins = distributions(measures).map(|(name, _)| folder.distribution(name));
         let slices = profiles(measures).map(|(name, _)| folder.profile(name));
-        let tables = told_in_tables(measures).map(|(name, told)| told.file(name, folder));
+        let tables = told_in_tables(scenario).map(|(name, told)| told.file(name, folder));
         std::iter::once(folder.series())
             .chain(bins)
             .chain(slices)
@@ -140,9 +159,9 @@ impl<'a> Rows<'a> {
             .filter_map(|(_, file)| Some(file.as_ref()?.rows()));
         let slices = self.profiles.iter().filter_map(|(_, file)| Some(file.as_ref()?.rows()));
         let of_all = series.into_iter().chain(bins).chain(slices).map(|file| (file, true));
-        // paths tell nothing as long as none of their grains is there
+        // these tell nothing where no grain is there, or none went
         let tables = self.tables.iter().filter_map(|(told, file)| {
-            let every_moment = !matches!(told, Told::Paths(_));
+            let every_moment = !matches!(told, Told::Paths(_) | Told::Gone(..));
             Some((file.as_ref()?.rows(), every_moment))
         });
         of_all.chain(tables)
@@ -202,6 +221,7 @@ impl<'a> Rows<'a> {
     ) -> Result<Measures, OutputError> {
         let row = self.measure(sim, traffic, moment);
         self.add(&row, sim, traffic)?;
+        traffic.begin_lists();
         Ok(row)
     }
 
@@ -251,10 +271,12 @@ fn tell<F, T>(
     }
 }
 
-/// Measures that have a table of their own, with their names.
-fn told_in_tables(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, Told<'_>)> {
+/// Measures and removals that have a table of their own, with their names.
+fn told_in_tables(scenario: &Scenario) -> impl Iterator<Item = (&str, Told<'_>)> {
     let (mut residences, mut collisions) = (0, 0);
-    measures.iter().filter_map(move |measure| {
+    let removals = scenario.removals.iter().enumerate().filter(|(_, removal)| removal.list);
+    let removals = removals.map(|(k, removal)| (removal.name.as_str(), Told::Gone(k, scenario)));
+    let measures = scenario.measures.iter().filter_map(move |measure| {
         let told = match &measure.kind {
             MeasureKind::Residence(residence) => {
                 residences += 1;
@@ -270,7 +292,8 @@ fn told_in_tables(measures: &[MeasureSpec]) -> impl Iterator<Item = (&str, Told<
             _ => return None,
         };
         Some((measure.name.as_str(), told))
-    })
+    });
+    measures.chain(removals)
 }
 
 /// Opens these tables, after a step when it is told.
@@ -302,11 +325,15 @@ fn tables<'a>(
                 folder.make_paths()?;
                 path_titles()
             }
+            Told::Gone(..) => {
+                folder.make_removals()?;
+                gone_titles()
+            }
         };
         let table = MomentTable::open(&told.file(name, folder), &titles, stages.clone(), after)?;
         Ok((told, Some(table)))
     };
-    told_in_tables(&scenario.measures).map(open).collect()
+    told_in_tables(scenario).map(open).collect()
 }
 
 /// Titles of the columns behind all others.

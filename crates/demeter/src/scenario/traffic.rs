@@ -14,6 +14,7 @@ use crate::insertion::{InsertionProblem, Streaming};
 use crate::measure::{
     Counted, DOMAIN_COLUMNS, FEED_COLUMNS, FieldValues, OF_MATERIAL_COLUMNS, REMOVAL_COLUMNS, Value, holds,
 };
+use crate::output::GoneGrain;
 use crate::particles::{Domain, NewGrain, Origins, Outside};
 use crate::simulation::{Simulation, Stage};
 use serde::{Deserialize, Serialize};
@@ -34,6 +35,8 @@ struct RemovalState {
     gone: Vec<(u64, f64)>,
     /// Sum of the times that they were in the run [s].
     stay: f64,
+    /// Those since the latest row of the series, where they are listed.
+    listed: Vec<GoneGrain>,
 }
 
 /// Feeds, removals and flows of a run.
@@ -49,12 +52,10 @@ pub(super) struct Traffic<'a> {
 }
 
 /// A grain that goes.
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 struct Gone {
     index: usize,
-    id: u32,
-    material: u16,
-    mass: f64,
+    grain: GoneGrain,
     /// Number of the removal that it goes by.
     removal: usize,
 }
@@ -66,6 +67,7 @@ impl<'a> Traffic<'a> {
             active: true,
             gone: vec![(0, 0.0); scenario.materials.len()],
             stay: 0.0,
+            listed: Vec::new(),
         };
         let state = TrafficState {
             origins,
@@ -231,6 +233,19 @@ impl<'a> Traffic<'a> {
         self.followed.collision_distribution(index)
     }
 
+    /// The grains that a removal took since the latest row of the series, where it lists them.
+    pub fn listed(&self, removal: usize) -> &[GoneGrain] {
+        self.state.removals.get(removal).map_or(&[], |removal| &removal.listed)
+    }
+
+    /// Forgets which grains are listed already.
+    pub fn begin_lists(&mut self) {
+        self.state
+            .removals
+            .iter_mut()
+            .for_each(|removal| removal.listed.clear());
+    }
+
     /// The fields of a measure, `index` counts those; means begin anew.
     pub fn take_field(&mut self, index: usize, sim: &Simulation) -> Option<FieldValues> {
         self.followed.take_field(index, sim, &self.state.origins)
@@ -257,7 +272,7 @@ impl<'a> Traffic<'a> {
         // a grain that leaves may have passed a gate since the latest look
         self.look(sim);
         for gone in &gone {
-            self.state.origins.forget_tag(gone.id);
+            self.state.origins.forget_tag(gone.grain.id);
         }
         let ids = sim.exchange(&leaving, &come)?;
         let batches = self.scenario.grains.len();
@@ -290,20 +305,36 @@ impl<'a> Traffic<'a> {
             };
             due.iter().copied().find(by).map(|removal| Gone {
                 index: g,
-                id: grains.id[g],
-                material: grains.material[g],
-                mass: grains.mass(g),
+                grain: GoneGrain {
+                    time: sim.time(),
+                    id: grains.id[g],
+                    material: grains.material[g],
+                    diameter: 2.0 * grains.radius(g),
+                    mass: grains.mass(g),
+                    place: sim.unwrapped(g),
+                    velocity: grains.velocity[g],
+                    // what the first process knows
+                    source: None,
+                    tag: 0,
+                    stay: 0.0,
+                },
                 removal,
             })
         };
-        let leaving: Vec<Gone> = sim.of_all_segments(sim.own_grains().filter_map(goes).collect());
-        for grain in &leaving {
-            let removal = &mut self.state.removals[grain.removal];
-            let gone = &mut removal.gone[usize::from(grain.material)];
+        let mut leaving: Vec<Gone> = sim.of_all_segments(sim.own_grains().filter_map(goes).collect());
+        let origins = &self.state.origins;
+        for Gone { grain, removal, .. } in &mut leaving {
+            grain.stay = sim.step.saturating_sub(origins.born(grain.id)) as f64 * sim.dt;
+            grain.source = origins.of(grain.id);
+            grain.tag = origins.tag(grain.id);
+            let state = &mut self.state.removals[*removal];
+            let gone = &mut state.gone[usize::from(grain.material)];
             gone.0 += 1;
             gone.1 += grain.mass;
-            let born = self.state.origins.born(grain.id);
-            removal.stay += sim.step.saturating_sub(born) as f64 * sim.dt;
+            state.stay += grain.stay;
+            if self.scenario.removals[*removal].list {
+                state.listed.push(grain.clone());
+            }
         }
         leaving
     }

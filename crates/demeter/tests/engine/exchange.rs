@@ -135,6 +135,49 @@ fn what_comes_and_goes_is_counted_and_booked() {
     let residence = count("removal outlet mean residence [s]");
     assert!((0.03..0.16).contains(&residence), "{residence}");
     assert!(series["removal outlet mean residence [s]"][0].is_nan(), "none is gone");
+    // every grain that went is listed, with what the columns sum up
+    let mut reader = csv::Reader::from_path(place.path().join("removals/outlet.csv")).unwrap();
+    let titles: Vec<String> = reader.headers().unwrap().iter().map(String::from).collect();
+    let place_of = |title: &str| {
+        titles
+            .iter()
+            .position(|t| t == title)
+            .unwrap_or_else(|| panic!("{title}"))
+    };
+    let rows: Vec<csv::StringRecord> = reader.records().map(Result::unwrap).collect();
+    let cells = |title: &str| {
+        rows.iter()
+            .map(move |row| row[place_of(title)].to_string())
+            .collect::<Vec<_>>()
+    };
+    let numbers = |title: &str| {
+        cells(title)
+            .iter()
+            .map(|cell| cell.parse().unwrap())
+            .collect::<Vec<f64>>()
+    };
+    assert_eq!(rows.len() as f64, fallen);
+    let close = |found: f64, told: f64| assert!((found / told - 1.0).abs() < 1e-9, "{found} {told}");
+    close(numbers("mass [kg]").iter().sum(), count("removal outlet mass [kg]"));
+    close(numbers("residence [s]").iter().sum::<f64>() / fallen, residence);
+    let gel = cells("material").iter().filter(|material| *material == "gel").count();
+    assert_eq!(gel as f64, count("removal outlet gel grains"));
+    let named = ["shower", "side", "lot", "fill"];
+    assert!(
+        cells("batch").iter().all(|batch| named.contains(&batch.as_str())),
+        "{:?}",
+        cells("batch")
+    );
+    let moments = numbers("removed at [s]").into_iter().zip(numbers("time [s]"));
+    assert!(
+        moments.clone().all(|(gone, row)| gone <= row + 1e-12),
+        "a grain is listed before it went"
+    );
+    assert!(
+        moments.clone().any(|(gone, row)| gone < row),
+        "grains go between rows, too"
+    );
+    assert!(numbers("z [m]").iter().all(|z| *z < -0.01));
     assert!(count("down grains forward") >= count("mouth grains forward"));
     assert_eq!(count("mouth grains forward"), 3.0);
     let slot = (count("slot grains forward"), count("slot grains backward"));
@@ -158,6 +201,8 @@ fn threads_and_restarts_keep_the_bytes_of_what_comes_and_goes() {
     run_in(&scenario, &folder("three"), 3, &mut watcher());
     let bytes = |folder: &Path, name: &str| fs::read(folder.join(name)).unwrap();
     assert!(bytes(&folder("one"), "series.csv") == bytes(&folder("three"), "series.csv"));
+    let list = "removals/outlet.csv";
+    assert!(bytes(&folder("one"), list) == bytes(&folder("three"), list));
 
     // killed at several places and gone on from the latest checkpoint
     let whole = place.path().join("killed");
@@ -168,6 +213,7 @@ fn threads_and_restarts_keep_the_bytes_of_what_comes_and_goes() {
     fs::write(whole.join("checkpoint.latest"), previous).unwrap();
     resume(&whole, RunOptions::default(), &mut watcher()).unwrap();
     assert!(bytes(&whole, "series.csv") == rows, "after a restart");
+    assert!(bytes(&whole, list) == bytes(&folder("one"), list), "after a restart");
     assert!(fs::read(last_frame(&whole)).unwrap() == fs::read(&frame).unwrap());
     assert!(bytes(&folder("one"), "series.csv") == rows);
 }

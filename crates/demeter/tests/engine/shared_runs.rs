@@ -146,6 +146,7 @@ fn every_measure_is_that_of_one_process() {
             "tracers.csv",
             "rings.csv",
             "column.csv",
+            "drain.csv",
             "map.pvd",
             "chains.pvd",
         ] {
