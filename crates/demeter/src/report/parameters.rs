@@ -61,6 +61,7 @@ impl Parameters {
             ("wall", "Walls"),
             ("tag", "Tags"),
             ("measure", "Measures"),
+            ("stage", "Stages"),
         ] {
             self.list(key, title, html);
         }
@@ -152,8 +153,8 @@ impl Parameters {
     /// What the laws that are used are, in a line each.
     fn law_summaries(&self, html: &mut Html) {
         let mut used = BTreeSet::new();
-        if let Some(contact) = self.0.get("contact") {
-            names_of_laws(contact, &mut used);
+        for told in ["contact", "stage"].iter().filter_map(|key| self.0.get(*key)) {
+            names_of_laws(told, &mut used);
         }
         let told: Vec<_> = laws().filter(|law| used.contains(law.name)).collect();
         if told.is_empty() {
@@ -314,8 +315,16 @@ mod tests {
             [[contact.pair]]
             between = ["glass", "steel"]
             normal = { law = "jkr", surface_energy = "20 mJ/m^2" }
+            [[stage]]
+            name = "shear"
+            contact = { tangential = { law = "coulomb", friction = 0.3 } }
             "#,
         );
+        assert!(
+            html.contains("shear</th><td>contact (tangential coulomb (friction 0.3))</td>"),
+            "{html}"
+        );
+        assert!(html.contains("<dt>coulomb</dt>"), "{html}");
         assert!(
             html.contains("<th scope=\"row\">young modulus</th><td>60 GPa</td><td>–</td>"),
             "{html}"
