@@ -1,7 +1,7 @@
 //! The report of a run: `report.html`, one file that needs nothing else and no network.
 //!
 //! It is written from what the run left in its folder, at the end of every run and by `demeter report`: how it ended, its
-//! parameters, the series as plots, the energy ledger, distributions of the last state, walls, and the last state in 3D.
+//! parameters, the series and profiles as plots, the energy ledger, distributions of the last state, walls, and the last state in 3D.
 //! Texts of the scenario are not trusted: they are escaped, and a Content-Security-Policy in the page allows no script but
 //! its own, whose hash it tells, and no connection at all. What is too much for a page is thinned, and the page says so.
 
@@ -16,6 +16,7 @@ mod packing;
 mod page;
 mod parameters;
 mod plots;
+mod profiles;
 mod series;
 mod thin;
 
@@ -24,6 +25,7 @@ pub use error::ReportError;
 use crate::results::{Columns, Packing, ResultsError, Run};
 use outcome::Outcome;
 use parameters::Parameters;
+use profiles::Profile;
 use std::fmt::Display;
 use std::io::{Read, Seek, SeekFrom};
 use std::path::{Path, PathBuf};
@@ -75,6 +77,7 @@ struct Contents {
     series: Option<Columns>,
     packing: Option<Packing>,
     parameters: Option<Parameters>,
+    profiles: Vec<Profile>,
     scenario: String,
     log: String,
     problems: Vec<String>,
@@ -103,6 +106,11 @@ impl Contents {
                 None
             }
         };
+        let names = parameters.as_ref().map(Parameters::profiles).unwrap_or_default();
+        let drawn = names.iter().take(profiles::MOST);
+        let profiles = drawn
+            .filter_map(|name| kept(profile(run, name), &mut problems))
+            .collect();
         if scenario.len() > LONGEST_SCENARIO {
             let end = (0..=LONGEST_SCENARIO).rev().find(|k| scenario.is_char_boundary(*k));
             scenario.truncate(end.unwrap_or(0));
@@ -119,6 +127,7 @@ impl Contents {
             series,
             packing,
             parameters,
+            profiles,
             scenario,
             log,
             problems,
@@ -138,6 +147,15 @@ fn kept<T>(read: Result<Option<T>, impl Display>, problems: &mut Vec<String>) ->
         problems.push(error.to_string());
         None
     })
+}
+
+/// A profile that the run has written.
+fn profile(run: &Run, name: &str) -> Result<Option<Profile>, ResultsError> {
+    let path = run.folder().profile(name);
+    let Some(file) = run.file(&path)? else {
+        return Ok(None);
+    };
+    Columns::from_file(&path, file).map(|table| Some(Profile::new(name, &table)))
 }
 
 /// The log, or its end.

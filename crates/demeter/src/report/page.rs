@@ -4,6 +4,7 @@ use super::distributions::{Distribution, distributions};
 use super::figures::{count, quantity};
 use super::html::{Html, escaped, json_for_script};
 use super::plots::{self, Plots};
+use super::profiles::MOST;
 use super::{Contents, ledger, outcome, series};
 use crate::results::Packing;
 use serde_json::{Map, Value, json};
@@ -159,6 +160,15 @@ fn plots(contents: &Contents, drawn: &Plots, html: &mut Html) {
     notes(&series::told(series), html);
     notes(&drawn.told(plots::SERIES), html);
     grid(plots::SERIES, html);
+    contents.profiles.iter().for_each(|profile| profile.write(html));
+    let left_out = contents
+        .parameters
+        .as_ref()
+        .map_or(0, |p| p.profiles().len().saturating_sub(MOST));
+    if left_out > 0 {
+        let text = format!("{left_out} more profiles are left out; `demeter plot` draws them.");
+        notes(&[text], html);
+    }
     html.raw("<div id=\"own\"><h3>A plot of your own</h3><div id=\"own-plot\"></div></div>");
 }
 

@@ -34,6 +34,15 @@ impl Parameters {
         plots.filter_map(asked).collect()
     }
 
+    /// Names of the measures that are profiles.
+    pub fn profiles(&self) -> Vec<&str> {
+        let measures = self.0.get("measure").and_then(Value::as_array).into_iter().flatten();
+        let profiles = measures.filter(|measure| measure.get("kind").and_then(Value::as_str) == Some("profile"));
+        let names = profiles.filter_map(|measure| measure.get("name")?.as_str());
+        // the scenario in the folder may be anything
+        names.filter(|name| !name.contains(['/', '\\'])).collect()
+    }
+
     /// What the names of columns of measures, feeds, removals, the domain and the box begin with.
     pub fn owners_of_columns(&self) -> Vec<String> {
         let names = |key: &str, start: &str| -> Vec<String> {
