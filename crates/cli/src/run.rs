@@ -10,6 +10,7 @@ use crate::profile;
 use crate::progress::Watch;
 use crate::readable::{count, number, things, vector, wait};
 use demeter::output::{RunFolder, StageSummary};
+use demeter::results::Run;
 use demeter::scenario::{Report, RunEnd, RunError, RunOptions, Scenario};
 use serde_json::{Value, json};
 use std::path::{Path, PathBuf};
@@ -66,6 +67,13 @@ pub fn resume(arguments: &ResumeArguments) -> Result<Exit, Failure> {
 /// Tells that there was nothing to go on with, which is what was wanted.
 fn finished(folder: &Path, as_json: bool) -> Result<Exit, Failure> {
     let shown = folder.display().to_string();
+    let missing = Run::open(folder)?.missing()?;
+    if !missing.is_empty() {
+        return Err(Failure::io(format!(
+            "the run in {shown} is finished, but its results are not whole: {}. What is gone is not made again from the checkpoint: put it back, or run the scenario again",
+            missing.join("; ")
+        )));
+    }
     if as_json {
         let mut value = read_summary(folder)?;
         value["end"] = json!("finished");

@@ -203,6 +203,47 @@ fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     );
     let log = fs::read_to_string(place.path("cut/log.txt")).unwrap();
     assert!(log.contains("`cut/series.csv` "), "{log}");
+
+    // whoever reads the results later is told, too
+    let summary: serde_json::Value =
+        serde_json::from_str(&fs::read_to_string(place.path("cut/summary.json")).unwrap()).unwrap();
+    let told = summary["warnings"].to_string();
+    assert!(told.contains("`cut/series.csv` begins at step"), "{told}");
+    let lost = summary["lost_rows"]["series.csv"].as_str().unwrap();
+    assert!(lost.starts_with("begins at step"), "{lost}");
+    let said = place.expect(1, &["resume", "cut"]);
+    assert!(
+        said.err
+            .contains("its results are not whole: `series.csv`: it begins at step"),
+        "{}",
+        said.err
+    );
+    let said = place.expect(0, &["report", "cut"]);
+    assert!(said.err.contains("it begins at step"), "{}", said.err);
+}
+
+#[test]
+fn a_finished_run_whose_results_are_gone_is_no_whole_one() {
+    let place = Place::new();
+    place.write("fall.toml", FALL);
+    place.expect(0, &["run", "fall.toml", "--out", "whole"]);
+    for (file, expected) in [
+        ("summary.json", "`summary.json` is gone"),
+        ("series.csv", "`series.csv` is gone"),
+        ("grains.pvd", "grains.pvd` does not name"),
+    ] {
+        let kept = fs::read(place.path("whole").join(file)).unwrap();
+        fs::remove_file(place.path("whole").join(file)).unwrap();
+        let said = place.expect(1, &["resume", "whole"]);
+        assert!(
+            said.err.contains(expected) && said.err.contains("put it back"),
+            "{file}: {}",
+            said.err
+        );
+        fs::write(place.path("whole").join(file), kept).unwrap();
+    }
+    let said = place.expect(0, &["resume", "whole"]);
+    assert!(said.out.contains("nothing is left to do"), "{}", said.out);
 }
 
 /// What is written beside the series, every kind of file once.

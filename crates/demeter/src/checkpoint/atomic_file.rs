@@ -1,7 +1,8 @@
 //! Files that appear whole under their name or not at all.
 
+use std::collections::BTreeSet;
 use std::ffi::OsString;
-use std::fs::{self, File};
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
@@ -71,16 +72,46 @@ pub(super) fn give_name(part: &Path, path: &Path, durability: Durability) -> io:
     }
 }
 
-/// Forces the entries of the folder of a file to the disk, where the system knows how.
-fn sync_folder(path: &Path) -> io::Result<()> {
-    if !cfg!(unix) {
-        return Ok(());
+/// Forces files to the disk, and the entries of their folders; those that are gone are passed over. The first that could not be is told with
+/// the error.
+pub(crate) fn force_to_disk(files: &BTreeSet<PathBuf>) -> Result<(), (PathBuf, io::Error)> {
+    let if_there = |done: io::Result<()>| match done {
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(()),
+        done => done,
+    };
+    for file in files {
+        let forced = OpenOptions::new()
+            .write(true)
+            .open(file)
+            .and_then(|file| file.sync_all());
+        if_there(forced).map_err(|error| (file.clone(), error))?;
     }
-    let folder = match path.parent() {
+    let folders: BTreeSet<&Path> = files.iter().map(|file| folder_of(file)).collect();
+    for folder in folders {
+        if_there(sync_entries(folder)).map_err(|error| (folder.to_owned(), error))?;
+    }
+    Ok(())
+}
+
+/// Forces the entries of the folder of a file to the disk.
+fn sync_folder(path: &Path) -> io::Result<()> {
+    sync_entries(folder_of(path))
+}
+
+/// Forces the entries of a folder to the disk, where the system knows how.
+fn sync_entries(folder: &Path) -> io::Result<()> {
+    if cfg!(unix) {
+        File::open(folder)?.sync_all()
+    } else {
+        Ok(())
+    }
+}
+
+fn folder_of(path: &Path) -> &Path {
+    match path.parent() {
         Some(folder) if !folder.as_os_str().is_empty() => folder,
         _ => Path::new("."),
-    };
-    File::open(folder)?.sync_all()
+    }
 }
 
 /// What a user can do about an error of the file system, as a sentence, if there is something to say.

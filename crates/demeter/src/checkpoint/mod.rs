@@ -19,8 +19,8 @@
 mod atomic_file;
 mod error;
 
-pub(crate) use atomic_file::write_atomically_with;
 pub use atomic_file::{Durability, hint, part_path, write_atomically};
+pub(crate) use atomic_file::{force_to_disk, write_atomically_with};
 pub use error::CheckpointError;
 
 use serde::de::DeserializeOwned;

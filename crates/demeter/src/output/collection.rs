@@ -140,9 +140,9 @@ impl Collection {
         self.entries.clear();
         self.saved = None;
         let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
-        let (there, gone): (Vec<_>, Vec<_>) = entries
-            .into_iter()
-            .partition(|(step, _)| self.file_path(*step).is_file());
+        let (there, gone): (Vec<_>, Vec<_>) = entries.into_iter().partition(|(step, _)| {
+            fs::metadata(self.file_path(*step)).is_ok_and(|file| file.is_file() && file.len() > 0)
+        });
         there.into_iter().for_each(|(step, time)| self.add(step, time));
         gone.into_iter().map(|(step, _)| step).collect()
     }
@@ -175,13 +175,13 @@ impl Collection {
         let (path, count) = (self.path.display(), gone.len());
         let (files, are) = if count == 1 { ("file", "is") } else { ("files", "are") };
         Some(format!(
-            "warning: `{path}` names {count} {files} that {are} not there any more, `{}` among them: left out from now on",
+            "warning: `{path}` names {count} {files} that {are} gone or empty, `{}` among them: left out from now on",
             self.file(first)
         ))
     }
 
     /// A warning of files up to a step that the collection does not name.
-    fn lacks(&self, step: u64) -> Result<Option<String>, OutputError> {
+    pub(crate) fn lacks(&self, step: u64) -> Result<Option<String>, OutputError> {
         let names = names_in(&self.root.join(self.below))?;
         let steps = names.iter().filter_map(|name| self.step_of(name));
         let is_known = |step: &u64| self.entries.binary_search_by_key(step, |entry| entry.0).is_ok();

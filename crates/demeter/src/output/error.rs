@@ -112,14 +112,14 @@ pub enum OutputError {
         /// Each with the step of the last moment that was written into it; there is one at least.
         files: Vec<(PathBuf, u64)>,
     },
-    /// The series cannot be read at the end of the run that wrote it.
+    /// A file of rows is not as the run wrote it, at its end.
     #[error(
-        "{problem}. The plots are drawn from this file, and something else removed or changed it while the run went on. \
+        "{problem}. Something else removed or changed this file while the run went on. \
         Leave the files of a run alone until it is over. To end the run from its latest checkpoint, put `{}` back, or an \
         empty file in its place, and call `demeter resume`.",
         path.display()
     )]
-    SeriesLost {
+    RowsLost {
         /// The file.
         path: PathBuf,
         /// What reading it told.

@@ -1,10 +1,12 @@
 //! The folder of a run and the names of the files in it.
 
 use super::error::OutputError;
-use crate::checkpoint::{self, Durability, part_path, write_atomically, write_atomically_with};
+use crate::checkpoint::{self, Durability, force_to_disk, part_path, write_atomically, write_atomically_with};
+use std::collections::BTreeSet;
 use std::fs::{self, File};
 use std::io::{self, Write};
 use std::path::{Path, PathBuf};
+use std::sync::{Arc, Mutex, PoisonError};
 
 /// The file that marks the folder of a run.
 pub(super) const MARKER: &str = "run.json";
@@ -26,14 +28,27 @@ const FILES: [&str; 9] = [
 pub(super) const STEP_DIGITS: usize = 10;
 
 /// The folder of a run.
-#[derive(Clone, Debug, PartialEq, Eq)]
+#[derive(Clone, Debug)]
 pub struct RunFolder {
     root: PathBuf,
+    /// Files that a power cut may still take, of all that hold this folder.
+    not_forced: Arc<Mutex<BTreeSet<PathBuf>>>,
 }
+
+impl PartialEq for RunFolder {
+    fn eq(&self, other: &Self) -> bool {
+        self.root == other.root
+    }
+}
+
+impl Eq for RunFolder {}
 
 impl RunFolder {
     pub(super) fn at(root: &Path) -> Self {
-        Self { root: root.to_owned() }
+        Self {
+            root: root.to_owned(),
+            not_forced: Arc::default(),
+        }
     }
 
     /// Finds the folder of a run that exists, to read from it.
@@ -85,12 +100,15 @@ impl RunFolder {
         let _ = fs::remove_dir(self.fields());
         let _ = fs::remove_dir(self.paths());
         let _ = fs::remove_dir(self.chains());
+        let _ = fs::remove_dir(self.removals());
         Ok(())
     }
 
     /// Writes a file of the run, whole or not at all.
     pub fn write(&self, path: &Path, bytes: &[u8]) -> Result<(), OutputError> {
-        write_atomically(path, bytes, Durability::Kill).map_err(OutputError::io("write", path))
+        write_atomically(path, bytes, Durability::Kill).map_err(OutputError::io("write", path))?;
+        self.note(path);
+        Ok(())
     }
 
     /// Has a file of the run written, whole or not at all.
@@ -99,7 +117,23 @@ impl RunFolder {
         path: &Path,
         write: impl FnOnce(&mut File) -> io::Result<()>,
     ) -> Result<(), OutputError> {
-        write_atomically_with(path, Durability::Kill, write).map_err(OutputError::io("write", path))
+        write_atomically_with(path, Durability::Kill, write).map_err(OutputError::io("write", path))?;
+        self.note(path);
+        Ok(())
+    }
+
+    /// Notes that something was written into a file.
+    fn note(&self, path: &Path) {
+        let mut files = self.not_forced.lock().unwrap_or_else(PoisonError::into_inner);
+        files.insert(path.to_owned());
+    }
+
+    /// Forces to the disk what was written since the last time, and these files that are open: a checkpoint builds on them, and must not
+    /// outlive them in a power cut.
+    pub(crate) fn force_to_disk<'a>(&self, open: impl Iterator<Item = &'a Path>) -> Result<(), OutputError> {
+        let noted = std::mem::take(&mut *self.not_forced.lock().unwrap_or_else(PoisonError::into_inner));
+        let files: BTreeSet<PathBuf> = noted.into_iter().chain(open.map(Path::to_owned)).collect();
+        force_to_disk(&files).map_err(|(path, error)| OutputError::io("force to the disk", &path)(error))
     }
 
     /// Adds a line to the log.
@@ -109,7 +143,9 @@ impl RunFolder {
             let mut file = fs::OpenOptions::new().create(true).append(true).open(&path)?;
             file.write_all(format!("{text}\n").as_bytes())
         };
-        add().map_err(OutputError::io("add to", &path))
+        add().map_err(OutputError::io("add to", &path))?;
+        self.note(&path);
+        Ok(())
     }
 
     /// The folder itself.
@@ -351,6 +387,33 @@ mod tests {
         let folder = RunFolder::create(&root, false).unwrap();
         assert_eq!(RunFolder::open(&root).unwrap(), folder);
         assert!(folder.frames().is_dir() && folder.plots().is_dir());
+    }
+
+    #[test]
+    fn what_was_written_is_forced_to_the_disk_once() {
+        let place = tempfile::tempdir().unwrap();
+        let folder = RunFolder::create(place.path(), false).unwrap();
+        let waiting = || folder.not_forced.lock().unwrap().clone();
+        folder.write(&folder.summary(), b"{}").unwrap();
+        folder
+            .write_with(&folder.report(), |file| file.write_all(b"x"))
+            .unwrap();
+        // another hand on the same folder
+        folder.clone().log_line("said").unwrap();
+        assert_eq!(
+            waiting(),
+            BTreeSet::from([folder.summary(), folder.report(), folder.log()])
+        );
+        // what somebody removed meanwhile is passed over
+        fs::remove_file(folder.report()).unwrap();
+        folder.force_to_disk([folder.series().as_path()].into_iter()).unwrap();
+        assert!(waiting().is_empty());
+        // a folder in place of a file cannot be forced as one, and is told
+        folder.log_line("said").unwrap();
+        fs::remove_file(folder.log()).unwrap();
+        fs::create_dir(folder.log()).unwrap();
+        let told = folder.force_to_disk(std::iter::empty()).unwrap_err().to_string();
+        assert!(told.contains("force to the disk") && told.contains("log.txt"), "{told}");
     }
 
     #[test]

@@ -4,7 +4,7 @@ use super::error::OutputError;
 use super::folder::RunFolder;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fs::{File, OpenOptions};
+use std::fs::{File, Metadata, OpenOptions};
 use std::io::{self, BufRead, BufReader, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
@@ -76,8 +76,8 @@ impl RowFile {
         })
     }
 
-    /// What the file lacks of the bytes that were written into it, as a warning; told the last moment, where each has rows, also which rows
-    /// from the start of the run on.
+    /// What the file lacks of the bytes that were written into it, in words behind its name; told the last moment, where each has rows, also
+    /// which rows from the start of the run on.
     fn lacks(&self, last: Option<u64>, written: u64) -> Option<String> {
         let problem = match (self.kept, last) {
             (Some((0, found)), Some(last)) if found < last => {
@@ -91,10 +91,28 @@ impl RowFile {
             }
             _ => return None,
         };
+        Some(problem)
+    }
+
+    /// What something else did to the file while it was written, in words; nothing where it is as it was written.
+    pub fn is_changed(&self) -> Option<String> {
         let path = self.path.display();
-        Some(format!(
-            "warning: `{path}` {problem}; what is missing stays so, and the file is not that of the whole run"
-        ))
+        let Ok(there) = std::fs::metadata(&self.path) else {
+            return Some(format!("`{path}` is gone"));
+        };
+        let is_another = self.file.metadata().is_ok_and(|own| !is_same_file(&own, &there));
+        if is_another {
+            return Some(format!("another file stands in the place of `{path}`"));
+        }
+        (there.len() != self.length).then(|| self.other_length(there.len()))
+    }
+
+    fn other_length(&self, held: u64) -> String {
+        format!(
+            "`{}` holds {held} bytes, and the run wrote {}",
+            self.path.display(),
+            self.length
+        )
     }
 
     /// Its path.
@@ -106,6 +124,14 @@ impl RowFile {
     /// taken back.
     pub fn add<R: AsRef<[String]>>(&mut self, rows: &[R]) -> Result<(), OutputError> {
         let bytes = encode(rows, &self.path)?;
+        // behind the end of a file that was cut rows would follow a hole
+        let held = self.file.metadata().map_or(self.length, |file| file.len());
+        if held != self.length {
+            return Err(OutputError::RowsLost {
+                path: self.path.clone(),
+                problem: self.other_length(held),
+            });
+        }
         let written = self.file.write_all(&bytes);
         if written.is_err() {
             let back = self.file.set_len(self.length);
@@ -116,6 +142,17 @@ impl RowFile {
         self.length += bytes.len() as u64;
         Ok(())
     }
+}
+
+#[cfg(unix)]
+fn is_same_file(one: &Metadata, other: &Metadata) -> bool {
+    use std::os::unix::fs::MetadataExt;
+    (one.dev(), one.ino()) == (other.dev(), other.ino())
+}
+
+#[cfg(not(unix))]
+fn is_same_file(_one: &Metadata, _other: &Metadata) -> bool {
+    true
 }
 
 /// The files that a run wrote until a checkpoint, by their names from its folder on, with the bytes of those that hold rows.
@@ -135,9 +172,11 @@ impl WrittenFiles {
         self.0.contains_key(&name_in(folder, path))
     }
 
-    /// What a file that goes on lacks, as a warning; `last` is the last moment, where each has rows there.
-    pub fn lacks(&self, folder: &RunFolder, file: &RowFile, last: Option<u64>) -> Option<String> {
-        file.lacks(last, *self.0.get(&name_in(folder, &file.path))?)
+    /// Name of a file that goes on, and what it lacks; `last` is the last moment, where each has rows there.
+    pub fn lacks(&self, folder: &RunFolder, file: &RowFile, last: Option<u64>) -> Option<(String, String)> {
+        let name = name_in(folder, &file.path);
+        let problem = file.lacks(last, *self.0.get(&name)?)?;
+        Some((name, problem))
     }
 }
 

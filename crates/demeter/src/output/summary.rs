@@ -53,6 +53,9 @@ pub struct Summary {
     pub walls: BTreeMap<String, WallSummary>,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// What files of rows lack, by their names, since they were not whole when the run went on.
+    #[serde(default, skip_serializing_if = "BTreeMap::is_empty")]
+    pub lost_rows: BTreeMap<String, String>,
     /// Where the time went, if that was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub profile: Option<ProfileReport>,

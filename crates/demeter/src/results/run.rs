@@ -94,17 +94,51 @@ impl Run {
         Ok(collections[0].entries().iter().filter(whole).map(moment).collect())
     }
 
-    /// That tables of frames which the run has written are not there any more, in words; nothing where none is missing.
+    /// That tables of frames which the run has written are gone or empty, or not named by their collection, in words; nothing where none is
+    /// missing.
     pub fn missing_frames(&self) -> Result<Option<String>, ResultsError> {
         let mut steps = BTreeSet::new();
+        let mut problems = Vec::new();
+        let may_lag = self.is_going_on();
         for kind in TableKind::ALL {
-            steps.extend(self.collection(kind)?.1);
+            let (collection, gone) = self.collection(kind)?;
+            // of a file that is gone is told below
+            let unnamed = if may_lag || !gone.is_empty() {
+                None
+            } else {
+                collection.lacks(u64::MAX)?
+            };
+            problems.extend(unnamed.map(|text| text.trim_start_matches("warning: ").to_string()));
+            steps.extend(gone);
         }
-        let Some(last) = steps.last() else { return Ok(None) };
-        let (count, frames) = (steps.len(), if steps.len() == 1 { "frame is" } else { "frames are" });
-        Ok(Some(format!(
-            "{count} {frames} not whole: files are gone that the run has written, the last of them of step {last}"
-        )))
+        if let Some(last) = steps.last() {
+            let (count, frames) = (steps.len(), if steps.len() == 1 { "frame is" } else { "frames are" });
+            problems.push(format!(
+                "{count} {frames} not whole: files are gone or empty that the run has written, the last of them of step {last}"
+            ));
+        }
+        Ok((!problems.is_empty()).then(|| problems.join("; ")))
+    }
+
+    /// What is not there any more, or not whole, of the results of a finished run: summary, series, frames. As long as a run goes on
+    /// nothing is missing.
+    pub fn missing(&self) -> Result<Vec<String>, ResultsError> {
+        if self.is_going_on() {
+            return Ok(Vec::new());
+        }
+        let mut missing = Vec::new();
+        if self.summary()?.is_none() {
+            missing.push("`summary.json` is gone".to_string());
+        }
+        missing.extend(self.missing_series()?);
+        if let Some(series) = self.series()? {
+            missing.extend(
+                self.shortfall(&series)?
+                    .map(|problem| format!("`series.csv`: {problem}")),
+            );
+        }
+        missing.extend(self.missing_frames()?);
+        Ok(missing)
     }
 
     /// The tables of a kind that the run tells of, as far as they are there, and the steps of those that are not.
@@ -157,12 +191,20 @@ impl Run {
         Ok(is_gone.then(|| "`series.csv` is gone, which the run has written".to_string()))
     }
 
-    /// What the series of a finished run lacks at its end, in words; nothing where no summary tells that it is finished, and as
+    /// What the series of a finished run lacks, in words; nothing where no summary tells that it is finished, and as
     /// long as it goes on.
     pub fn shortfall(&self, series: &Columns) -> Result<Option<String>, ResultsError> {
-        let Some(steps) = self.summary()?.as_ref().and_then(finished_steps) else {
+        let Some(summary) = self.summary()? else {
             return Ok(None);
         };
+        let Some(steps) = finished_steps(&summary) else {
+            return Ok(None);
+        };
+        if let Some(problem) = summary["lost_rows"]["series.csv"].as_str() {
+            return Ok(Some(format!(
+                "it {problem}: it was not whole when the run went on. Run the scenario again for all rows"
+            )));
+        }
         let last = series.find("step").and_then(Column::numbers).and_then(<[f64]>::last);
         if last.is_some_and(|last| *last >= steps as f64) || self.is_going_on() {
             return Ok(None);

@@ -50,7 +50,7 @@ pub(super) fn write(folder: &RunFolder, asked: &[PlotSpec]) -> Result<(), Output
         .to_vec(),
     };
     let path = folder.series();
-    let table = Columns::read(&path).map_err(|error| OutputError::SeriesLost {
+    let table = Columns::read(&path).map_err(|error| OutputError::RowsLost {
         problem: error.to_string(),
         path,
     })?;

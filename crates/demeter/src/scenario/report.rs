@@ -227,6 +227,7 @@ impl Runner<'_> {
                 self.residual_warning().into_iter().collect(),
             ]
             .concat(),
+            lost_rows: self.place.lost_rows.clone(),
             ..Summary::default()
         };
         let names: Vec<String> = self.sim.walls.iter().map(|w| w.name.clone()).collect();

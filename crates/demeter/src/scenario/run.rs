@@ -10,7 +10,7 @@ use super::column_stops::Held;
 use super::field_files::FieldFiles;
 use super::input_files::InputFile;
 use super::live::{Pause, Until};
-use super::prepare::{Prepared, prepare_to_resume};
+use super::prepare::Prepared;
 use super::report::{Report, RunEnd};
 use super::rows::{Rows, told_titles};
 use super::run_error::RunError;
@@ -19,13 +19,14 @@ use super::traffic::{Traffic, TrafficState};
 use super::{Scenario, measures::networks};
 use crate::contacts::Fault;
 use crate::measure::Measures;
-use crate::output::{FrameWriter, OutputError, RunFolder, SeriesLabels, StageSummary, Summary, WrittenFiles};
+use crate::output::{FrameWriter, RunFolder, SeriesLabels, StageSummary, Summary, WrittenFiles};
 use crate::particles::Domain;
-use crate::simulation::{Cadence, Setup, Simulation, SimulationState, Stage, StopCondition, ends_at};
+use crate::simulation::{Cadence, Simulation, SimulationState, Stage, StopCondition, ends_at};
 use crate::walls::WallWork;
 use glam::DVec3;
 use serde::{Deserialize, Serialize};
 pub use sharing::all_or_none;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
@@ -94,6 +95,8 @@ pub(super) struct Place {
     pub(super) wall_clock: f64,
     pub(super) time_step_reason: String,
     pub(super) warnings: Vec<String>,
+    /// What files of rows lack, by their names, that were not whole when the run went on.
+    pub(super) lost_rows: BTreeMap<String, String>,
     /// The scenario that is run, as its folder tells it.
     pub(super) scenario: String,
     /// Files that the scenario names, as they were at the start.
@@ -197,6 +200,7 @@ impl<'a> Runner<'a> {
             wall_clock: 0.0,
             time_step_reason: prepared.time_step_reason,
             warnings: prepared.warnings,
+            lost_rows: BTreeMap::new(),
             scenario: scenario.to_resolved_toml(),
             files: scenario.input_files(),
         };
@@ -228,59 +232,6 @@ impl<'a> Runner<'a> {
         let mut runner = Self::new(scenario, (sim, traffic), place, (rows, files));
         runner.begin_stage(observer)?;
         Ok(runner)
-    }
-
-    /// A run that goes on from a state.
-    pub(super) fn resume(
-        scenario: &'a Scenario,
-        state: RunState<'_>,
-        folder: Option<&RunFolder>,
-        observer: &mut dyn Observer,
-    ) -> Result<Self, RunError> {
-        let mut setup: Setup = prepare_to_resume(scenario, state.place.stage, state.domain)?;
-        setup.dt = state.simulation.dt;
-        let step = state.simulation.step;
-        let had_custom_force = state.simulation.had_custom_force();
-        let sim = Simulation::resume(setup, state.simulation)?;
-        let traffic = Traffic::resume(scenario, &sim, state.traffic)?;
-        let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
-        folder.map_or(Ok(()), |folder| check_files(scenario, folder, &state.place))?;
-        let rows = match folder {
-            Some(folder) => Rows::resume(scenario, folder, step)?,
-            None => Rows::in_memory(scenario),
-        };
-        let mut files = |folder: &RunFolder| -> Result<Files, RunError> {
-            let (frames, of_frames) = FrameWriter::open(folder, Some(step))?;
-            let (fields, of_fields) = FieldFiles::open(scenario, folder, Some(step))?;
-            let Place { written, last_row, .. } = &state.place;
-            let lacks =
-                |(file, every_moment): (_, bool)| written.lacks(folder, file, last_row.filter(|_| every_moment));
-            told.extend(rows.open_files().filter_map(lacks));
-            told.extend(of_frames.into_iter().chain(of_fields));
-            told.extend(fields.tables().map(|file| (file, false)).filter_map(lacks));
-            Ok(Files {
-                frames,
-                fields,
-                folder: folder.clone(),
-            })
-        };
-        let files = folder.map(&mut files).transpose()?;
-        if had_custom_force {
-            told.push(
-                "warning: a custom force acted, which a checkpoint does not hold: it must be added again".to_string(),
-            );
-        }
-        let walls = sim.undriven_walls().into_iter();
-        told.extend(walls.map(|wall| {
-            format!(
-                "warning: wall `{wall}` had a custom motion, which a checkpoint does not hold: it rests until told anew"
-            )
-        }));
-        for text in told {
-            observer.message(&text);
-            folder.map_or(Ok(()), |folder| folder.log_line(&text))?;
-        }
-        Ok(Self::new(scenario, (sim, traffic), state.place, (rows, files)))
     }
 
     fn new(
@@ -334,6 +285,9 @@ impl<'a> Runner<'a> {
         if let RunEnd::Fault(fault) = &end {
             self.say(&format!("error: {fault}"), observer)?;
             self.write_frame()?;
+        }
+        if *end == RunEnd::Finished {
+            self.check_rows()?;
         }
         self.tell_the_end(observer)?;
         self.place.wall_clock += self.started.elapsed().as_secs_f64();
@@ -550,36 +504,9 @@ impl<'a> Runner<'a> {
     }
 }
 
-impl Files<'_> {
-    /// All that was written so far, with the rows.
-    fn written(&self, scenario: &Scenario, rows: &Rows<'_>) -> WrittenFiles {
-        let of_rows = rows.open_files().map(|(file, _)| file).chain(self.fields.tables());
-        WrittenFiles::of(&self.folder, of_rows, &of_frames(scenario, &self.folder))
-    }
-}
-
 /// The files that every frame changes.
 fn of_frames(scenario: &Scenario, folder: &RunFolder) -> Vec<PathBuf> {
     [FrameWriter::files(folder), FieldFiles::files(scenario, folder)].concat()
-}
-
-/// Refuses to go on where a file is gone that the run wrote into: it would be begun anew, as if nothing had been before.
-fn check_files(scenario: &Scenario, folder: &RunFolder, place: &Place) -> Result<(), OutputError> {
-    let written = [
-        (Rows::files(scenario, folder), place.last_row),
-        (of_frames(scenario, folder), place.last_frame),
-    ];
-    let gone = |(files, last): (Vec<PathBuf>, Option<u64>)| {
-        let gone = files
-            .into_iter()
-            .filter(|file| place.written.knows(folder, file) && !file.exists());
-        last.map_or_else(Vec::new, |step| gone.map(|file| (file, step)).collect())
-    };
-    let files: Vec<(PathBuf, u64)> = written.into_iter().flat_map(gone).collect();
-    if files.is_empty() {
-        return Ok(());
-    }
-    Err(OutputError::FilesGone { files })
 }
 
 /// A clock that has run for so many seconds.

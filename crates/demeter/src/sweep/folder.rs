@@ -361,5 +361,5 @@ fn write_json<T: Serialize>(path: &Path, value: &T) -> Result<(), SweepError> {
     let mut text = serde_json::to_string_pretty(value)
         .map_err(|error| SweepError::io("encode", path)(std::io::Error::other(error)))?;
     text.push('\n');
-    write_atomically(path, text.as_bytes(), Durability::Kill).map_err(SweepError::io("write", path))
+    write_atomically(path, text.as_bytes(), Durability::PowerCut).map_err(SweepError::io("write", path))
 }

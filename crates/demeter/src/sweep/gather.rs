@@ -91,7 +91,7 @@ impl Results {
         let bytes = writer
             .into_inner()
             .map_err(|error| SweepError::io("write", path)(error.into_error()))?;
-        write_atomically(path, &bytes, Durability::Kill).map_err(SweepError::io("write", path))
+        write_atomically(path, &bytes, Durability::PowerCut).map_err(SweepError::io("write", path))
     }
 
     /// Sets a cell of the last row, in a column that is made where it is not there.

@@ -10,6 +10,7 @@ mod book;
 #[path = "../cases/mod.rs"]
 mod cases;
 mod changed;
+mod changed_rows;
 mod collisions;
 mod column_stops;
 mod custom;

@@ -2,19 +2,23 @@
 
 use super::changed::Former;
 use super::sharing::{Inputs, agree, all_or_none};
-use super::{Observer, RunState, Runner};
+use super::{Files, Observer, Place, RunState, Runner, of_frames};
 use crate::checkpoint;
 use crate::comm::Ranks;
-use crate::output::RunFolder;
+use crate::output::{FrameWriter, OutputError, RunFolder};
 use crate::scenario::Scenario;
 use crate::scenario::differences::line_differences;
+use crate::scenario::field_files::FieldFiles;
 use crate::scenario::input_files::InputFile;
 use crate::scenario::prepare::{prepare, prepare_to_resume};
 use crate::scenario::report::Report;
+use crate::scenario::rows::Rows;
 use crate::scenario::run_error::RunError;
 use crate::scenario::run_options::{MOST_THREADS, RunOptions};
-use crate::simulation::{Simulation, SimulationState, StateError};
-use std::path::Path;
+use crate::scenario::traffic::Traffic;
+use crate::simulation::{Setup, Simulation, SimulationState, StateError};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
 
 /// Runs a scenario and writes its results into a folder.
 pub fn run(
@@ -57,6 +61,7 @@ fn run_among(
         let create = || -> Result<_, RunError> {
             let (folder, lock) = options.reserve(folder, scenario)?;
             folder.write(&folder.scenario(), scenario.to_resolved_toml().as_bytes())?;
+            folder.force_to_disk([folder.marker().as_path()].into_iter())?;
             Ok((folder, lock))
         };
         let (files, _lock) = all_or_none(ranks.as_deref(), is_first.then(create).transpose())?.unzip();
@@ -214,6 +219,25 @@ fn material_names(scenario: &Scenario) -> String {
     names.join(", ")
 }
 
+/// Refuses to go on where a file is gone that the run wrote into: it would be begun anew, as if nothing had been before.
+fn check_files(scenario: &Scenario, folder: &RunFolder, place: &Place) -> Result<(), OutputError> {
+    let written = [
+        (Rows::files(scenario, folder), place.last_row),
+        (of_frames(scenario, folder), place.last_frame),
+    ];
+    let gone = |(files, last): (Vec<PathBuf>, Option<u64>)| {
+        let gone = files
+            .into_iter()
+            .filter(|file| place.written.knows(folder, file) && !file.exists());
+        last.map_or_else(Vec::new, |step| gone.map(|file| (file, step)).collect())
+    };
+    let files: Vec<(PathBuf, u64)> = written.into_iter().flat_map(gone).collect();
+    if files.is_empty() {
+        return Ok(());
+    }
+    Err(OutputError::FilesGone { files })
+}
+
 const ASK_FOR_FEWER: &str = "Ask for fewer with --threads";
 
 /// Threads of a run; as many as there are cores, or as the environment tells, when none are asked for.
@@ -269,6 +293,72 @@ impl<'a> Runner<'a> {
         options.apply(&mut runner.sim);
         runner.share(ranks, observer)?;
         Ok(runner)
+    }
+
+    /// A run that goes on from a state.
+    pub(in crate::scenario) fn resume(
+        scenario: &'a Scenario,
+        mut state: RunState<'_>,
+        folder: Option<&RunFolder>,
+        observer: &mut dyn Observer,
+    ) -> Result<Self, RunError> {
+        let mut setup: Setup = prepare_to_resume(scenario, state.place.stage, state.domain)?;
+        setup.dt = state.simulation.dt;
+        let step = state.simulation.step;
+        let had_custom_force = state.simulation.had_custom_force();
+        let sim = Simulation::resume(setup, state.simulation)?;
+        let traffic = Traffic::resume(scenario, &sim, state.traffic)?;
+        let mut told = vec![format!("going on from step {step}, time {:.4e} s", sim.time())];
+        folder.map_or(Ok(()), |folder| check_files(scenario, folder, &state.place))?;
+        let rows = match folder {
+            Some(folder) => Rows::resume(scenario, folder, step)?,
+            None => Rows::in_memory(scenario),
+        };
+        let mut lost: BTreeMap<String, String> = BTreeMap::new();
+        let mut files = |folder: &RunFolder| -> Result<Files, RunError> {
+            let (frames, of_frames) = FrameWriter::open(folder, Some(step))?;
+            let (fields, of_fields) = FieldFiles::open(scenario, folder, Some(step))?;
+            let Place { written, last_row, .. } = &state.place;
+            let lacks =
+                |(file, every_moment): (_, bool)| written.lacks(folder, file, last_row.filter(|_| every_moment));
+            lost.extend(rows.open_files().filter_map(lacks));
+            lost.extend(fields.tables().map(|file| (file, false)).filter_map(lacks));
+            told.extend(of_frames.into_iter().chain(of_fields));
+            Ok(Files {
+                frames,
+                fields,
+                folder: folder.clone(),
+            })
+        };
+        let files = folder.map(&mut files).transpose()?;
+        for (file, problem) in lost {
+            let shown = folder.map_or_else(|| file.clone().into(), |folder| folder.root().join(&file));
+            let warning = format!(
+                "`{}` {problem}; what is missing stays so, and the file is not that of the whole run",
+                shown.display()
+            );
+            told.push(format!("warning: {warning}"));
+            if state.place.lost_rows.get(&file) != Some(&problem) {
+                state.place.warnings.push(warning);
+                state.place.lost_rows.insert(file, problem);
+            }
+        }
+        if had_custom_force {
+            told.push(
+                "warning: a custom force acted, which a checkpoint does not hold: it must be added again".to_string(),
+            );
+        }
+        let walls = sim.undriven_walls().into_iter();
+        told.extend(walls.map(|wall| {
+            format!(
+                "warning: wall `{wall}` had a custom motion, which a checkpoint does not hold: it rests until told anew"
+            )
+        }));
+        for text in told {
+            observer.message(&text);
+            folder.map_or(Ok(()), |folder| folder.log_line(&text))?;
+        }
+        Ok(Self::new(scenario, (sim, traffic), state.place, (rows, files)))
     }
 
     /// Goes on from what a checkpoint would hold now, as the others do with which the run is to be shared: whatever else they do not know.

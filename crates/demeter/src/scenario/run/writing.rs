@@ -1,14 +1,15 @@
 //! What a run writes while it goes on: rows, frames, checkpoints.
 
-use super::{Files, RunState, Runner, labels};
+use super::{Files, RunState, Runner, labels, of_frames};
 use crate::checkpoint::{self, Header};
 use crate::measure::{ContactsAt, Moment, wall_surfaces};
-use crate::output::{Frame, FrameBox, FramePart, SeriesTable, WrittenFiles, tell_frame};
+use crate::output::{Frame, FrameBox, FramePart, OutputError, RowFile, SeriesTable, WrittenFiles, tell_frame};
+use crate::scenario::rows::Rows;
 use crate::scenario::run_error::RunError;
-use crate::scenario::{column_stops, field_files};
+use crate::scenario::{Scenario, column_stops, field_files};
 use crate::simulation::{Phase, Simulation, SimulationState, StopCondition};
 use crate::walls::Wall;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 impl<'a> Runner<'a> {
     pub(super) fn write_row(&mut self) -> Result<(), RunError> {
@@ -144,7 +145,13 @@ impl<'a> Runner<'a> {
         };
         let mut state = self.state_with(simulation);
         match self.files.as_ref().filter(|files| files.folder.root() == root) {
-            Some(files) => state.place.written = files.written(self.scenario, &self.rows),
+            Some(files) => {
+                state.place.written = files.written(self.scenario, &self.rows);
+                let collections = of_frames(self.scenario, &files.folder);
+                let rows = files.rows(&self.rows).map(RowFile::path);
+                let open = rows.chain(collections.iter().map(PathBuf::as_path));
+                files.folder.force_to_disk(open)?;
+            }
             None => {
                 // the rows and frames so far stay where they are
                 state.place.last_row = None;
@@ -155,6 +162,32 @@ impl<'a> Runner<'a> {
         checkpoint::write_latest(root, &header, &state)?;
         self.sim.took(Phase::Output);
         Ok(())
+    }
+}
+
+impl Runner<'_> {
+    /// Refuses to end as if all were whole where something else changed a file of rows.
+    pub(super) fn check_rows(&self) -> Result<(), OutputError> {
+        let Some(files) = &self.files else { return Ok(()) };
+        match files.rows(&self.rows).find_map(|file| Some((file, file.is_changed()?))) {
+            None => Ok(()),
+            Some((file, problem)) => Err(OutputError::RowsLost {
+                path: file.path().to_owned(),
+                problem,
+            }),
+        }
+    }
+}
+
+impl Files<'_> {
+    /// All that was written so far, with the rows.
+    fn written(&self, scenario: &Scenario, rows: &Rows<'_>) -> WrittenFiles {
+        WrittenFiles::of(&self.folder, self.rows(rows), &of_frames(scenario, &self.folder))
+    }
+
+    /// All files of rows, open at their ends.
+    fn rows<'f>(&'f self, rows: &'f Rows<'_>) -> impl Iterator<Item = &'f RowFile> {
+        rows.open_files().map(|(file, _)| file).chain(self.fields.tables())
     }
 }
 
