@@ -348,7 +348,7 @@ fn a_series_that_goes_while_the_run_goes_on_is_told() {
     let told = String::from_utf8(output.stderr).unwrap();
     assert_eq!(output.status.code(), Some(1), "{told}");
     assert!(
-        told.contains("series.csv") && told.contains("something else removed"),
+        told.contains("series.csv") && told.contains("Something else removed"),
         "{told}"
     );
     assert!(!told.contains("defect"), "{told}");
