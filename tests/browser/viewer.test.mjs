@@ -4,7 +4,7 @@
 // viewer-scenario.toml, is watched while it goes on. `cargo xtask browser` tells both.
 import assert from "node:assert/strict";
 import { spawn } from "node:child_process";
-import { existsSync, mkdtempSync, readFileSync, rmSync } from "node:fs";
+import { existsSync, mkdtempSync, readFileSync, readdirSync, rmSync } from "node:fs";
 import { tmpdir } from "node:os";
 import { dirname, join, resolve } from "node:path";
 import { after, before, describe, test } from "node:test";
@@ -342,13 +342,19 @@ test("a run that goes on is followed until it ends", async () => {
     const out = join(folder, "run");
     const run = spawn(program(), ["run", join(here, "viewer-scenario.toml"), "--out", out, "--threads", "1"], { stdio: "ignore" });
     const ended = new Promise((done) => run.once("exit", done));
-    while (!existsSync(join(out, "series.csv"))) {
+    const began = () => existsSync(join(out, "walls.pvd")) && readdirSync(join(out, "frames")).some((name) => name.startsWith("walls"));
+    do {
         await new Promise((done) => setTimeout(done, 50));
-    }
+    } while (!began());
+    // until the collections name the frame
+    await new Promise((done) => setTimeout(done, 100));
+    // on a busy machine the run would be over before the page is there
+    run.kill("SIGSTOP");
     const { page, faults, count, frame } = await viewer(out);
     assert.equal(await page.textContent(".badge"), "running");
     assert.ok(await page.getByLabel("Live").isChecked());
     const early = await count();
+    run.kill("SIGCONT");
     await page.waitForFunction((n) => Number(/of (\d+)/.exec(document.querySelector(".time-told").textContent)?.[1]) > n, early, PATIENCE);
     await keep(page, "viewer-live");
     // scrubbing back stops following
