@@ -367,7 +367,7 @@ fn laws(table: &TableReader<'_>, defaults: &Laws, telling: Telling) -> Laws {
 
 /// A law: its name alone, `"none"`, or a table of its name and parameters. Parameters that an entry of a pair does
 /// not name are those of the default, as long as the law is the same; one of several alternatives takes the place of
-/// the others.
+/// the others, and of what stands beside these.
 fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawChoice>) -> Option<LawChoice> {
     if let Value::String(name) = &item.node.value {
         if name == "none" && family != "normal" {
@@ -397,20 +397,28 @@ fn law(item: &Item<'_>, family: &str, known: &[LawInfo], default: Option<&LawCho
         return None;
     };
     let mut parameters = inherited(info, default);
-    for group in info
-        .alternatives
-        .iter()
-        .filter(|g| g.of.iter().any(|name| table.has(name)))
-    {
-        for name in group.of.iter().chain(group.with) {
+    let told: Vec<(&str, ParameterValue)> = (info.parameters.iter())
+        .filter_map(|parameter| {
+            Some((
+                parameter.name,
+                parameter_value(&table.optional(parameter.name)?, parameter),
+            ))
+        })
+        .collect();
+    for group in info.alternatives {
+        let Some((name, value)) = told.iter().find(|(name, _)| group.of.contains(name)) else {
+            continue;
+        };
+        // another number in place of one leaves what stands beside it, as the speed of a restitution
+        let is_another_number =
+            |was: &ParameterValue| matches!((was, value), (ParameterValue::Number(_), ParameterValue::Number(_)));
+        let keeps = parameters.get(*name).is_some_and(is_another_number);
+        let beside = if keeps { &[][..] } else { group.with };
+        for name in group.of.iter().chain(beside) {
             parameters.remove(*name);
         }
     }
-    for parameter in info.parameters {
-        if let Some(item) = table.optional(parameter.name) {
-            parameters.insert(parameter.name.to_string(), parameter_value(&item, parameter));
-        }
-    }
+    parameters.extend(told.into_iter().map(|(name, value)| (name.to_string(), value)));
     check_parameters(item, info, &parameters);
     table.finish(&format!("the {family} law `{}`", info.name));
     Some(LawChoice {

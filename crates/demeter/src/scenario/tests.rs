@@ -95,6 +95,40 @@ fn contact_laws_of_a_stage_are_those_of_all_where_it_tells_them() {
 }
 
 #[test]
+fn another_restitution_keeps_its_impact_speed_and_another_way_does_not() {
+    let scenario = |pair: &str| {
+        let laws = "contact.normal={ law = \"viscoelastic\", restitution = 0.8, impact_speed = \"1 m/s\" }";
+        let pair = format!("contact.pair=[{{ between = [\"glass\", \"glass\"], normal = {pair} }}]");
+        let normal = parse(settle(), &[laws, &pair])
+            .unwrap()
+            .contact
+            .choice(0, 0)
+            .normal
+            .parameters;
+        normal
+            .into_iter()
+            .map(|(name, value)| (name, format!("{value:?}")))
+            .collect::<Vec<_>>()
+    };
+    let pairs = |told: &[(&str, f64)]| {
+        let value = |value: f64| format!("{:?}", ParameterValue::Number(value));
+        told.iter()
+            .map(|(name, told)| ((*name).to_string(), value(*told)))
+            .collect::<Vec<_>>()
+    };
+    assert_eq!(
+        scenario("{ restitution = 0.5 }"),
+        pairs(&[("impact_speed", 1.0), ("restitution", 0.5)])
+    );
+    let other = "{ restitution = 0.5, impact_speed = \"2 m/s\" }";
+    assert_eq!(scenario(other), pairs(&[("impact_speed", 2.0), ("restitution", 0.5)]));
+    assert_eq!(
+        scenario("{ dissipation_time = \"1e-7 s\" }"),
+        pairs(&[("dissipation_time", 1e-7)])
+    );
+}
+
+#[test]
 fn walls_and_motions_are_read_as_told() {
     let scenario = read_good("every_wall.toml");
     let shape = |name: &str| {
