@@ -210,6 +210,7 @@ fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     let lost = summary["lost_rows"]["series.csv"].as_str().unwrap();
     let told = summary["warnings"].to_string();
     assert!(told.contains(&format!("`cut/series.csv` {lost}")), "{told}");
+    assert!(told.contains("`cut/grains.pvd` does not name 1 file"), "{told}");
     let said = place.expect(1, &["resume", "cut"]);
     let expected = format!("its results are not whole: `series.csv`: it {lost}");
     assert!(said.err.contains(&expected), "{}", said.err);

@@ -175,7 +175,7 @@ impl Collection {
         let (path, count) = (self.path.display(), gone.len());
         let (files, are) = if count == 1 { ("file", "is") } else { ("files", "are") };
         Some(format!(
-            "warning: `{path}` names {count} {files} that {are} gone or empty, `{}` among them: left out from now on",
+            "`{path}` names {count} {files} that {are} gone or empty, `{}` among them: left out from now on",
             self.file(first)
         ))
     }
@@ -190,7 +190,7 @@ impl Collection {
         let (path, count) = (self.path.display(), unknown.len());
         let files = if count == 1 { "file" } else { "files" };
         Ok(Some(format!(
-            "warning: `{path}` does not name {count} {files} that the run has written, `{}` among them: what reads frames \
+            "`{path}` does not name {count} {files} that the run has written, `{}` among them: what reads frames \
             will not find them",
             self.file(first)
         )))

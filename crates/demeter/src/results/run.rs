@@ -108,7 +108,7 @@ impl Run {
             } else {
                 collection.lacks(u64::MAX)?
             };
-            problems.extend(unnamed.map(|text| text.trim_start_matches("warning: ").to_string()));
+            problems.extend(unnamed);
             steps.extend(gone);
         }
         if let Some(last) = steps.last() {

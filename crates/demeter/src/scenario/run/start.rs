@@ -323,7 +323,12 @@ impl<'a> Runner<'a> {
                 |(file, every_moment): (_, bool)| written.lacks(folder, file, last_row.filter(|_| every_moment));
             lost.extend(rows.open_files().filter_map(lacks));
             lost.extend(fields.tables().map(|file| (file, false)).filter_map(lacks));
-            told.extend(of_frames.into_iter().chain(of_fields));
+            for warning in of_frames.into_iter().chain(of_fields) {
+                told.push(format!("warning: {warning}"));
+                if !state.place.warnings.contains(&warning) {
+                    state.place.warnings.push(warning);
+                }
+            }
             Ok(Files {
                 frames,
                 fields,
