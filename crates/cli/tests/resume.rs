@@ -348,7 +348,7 @@ fn no_file_that_is_gone_is_begun_anew_in_silence() {
         "`cut/profiles/slices.csv` holds no rows",
         "`cut/grains.pvd` does not name",
         "`cut/chains/links.pvd` does not name",
-        "`cut/contacts.pvd` names 1 file that is gone or empty",
+        "`cut/contacts.pvd` names 1 file that is gone or cut short",
     ] {
         assert!(said.err.contains(told), "{told}: {}", said.err);
     }

@@ -206,7 +206,7 @@ fn boxes_of_a_run_that_deform_are_written_and_read() {
     fs::remove_file(kinds.table_path(TableKind::Grains, step)).unwrap();
     let done = convert(&at("run"), &at("before.data"), &how(Target::Grains(Format::LammpsData))).unwrap();
     let lacks = format!(
-        "1 frame is not whole: files are gone or empty that the run has written, the last of them of step {step}"
+        "1 frame is not whole: files are gone or cut short that the run has written, the last of them of step {step}"
     );
     assert!(done.notes.contains(&lacks), "{:?}", done.notes);
     // sheared along z, the first edge leaves the axis x

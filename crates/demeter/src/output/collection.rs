@@ -2,7 +2,8 @@
 
 use super::error::OutputError;
 use super::folder::{RunFolder, STEP_DIGITS, names_in};
-use std::fs::{self, OpenOptions};
+use super::vtk_file::ends_whole;
+use std::fs::{self, File, OpenOptions};
 use std::io::{self, Seek as _, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
@@ -125,7 +126,7 @@ impl Collection {
         Ok(lacks.into_iter().flatten().collect())
     }
 
-    /// Reads the collection as [`Self::save`] wrote it; lines that it does not know, and files that are not there,
+    /// Reads the collection as [`Self::save`] wrote it; lines that it does not know, and files that are not whole,
     /// are left out. Tells the steps of the latter.
     fn load(&mut self) -> Result<Vec<u64>, OutputError> {
         let text = match fs::read_to_string(&self.path) {
@@ -135,14 +136,14 @@ impl Collection {
         Ok(self.read(&text))
     }
 
-    /// Takes over the entries of a text as [`Self::save`] writes it, where their files are there; tells the steps of the others.
+    /// Takes over the entries of a text as [`Self::save`] writes it, where their files are whole; tells the steps of the others.
     pub fn read(&mut self, text: &str) -> Vec<u64> {
         self.entries.clear();
         self.saved = None;
         let entries: Vec<(u64, f64)> = text.lines().filter_map(|line| self.parse(line)).collect();
-        let (there, gone): (Vec<_>, Vec<_>) = entries.into_iter().partition(|(step, _)| {
-            fs::metadata(self.file_path(*step)).is_ok_and(|file| file.is_file() && file.len() > 0)
-        });
+        let (there, gone): (Vec<_>, Vec<_>) = entries
+            .into_iter()
+            .partition(|(step, _)| is_whole(&self.file_path(*step)));
         there.into_iter().for_each(|(step, time)| self.add(step, time));
         gone.into_iter().map(|(step, _)| step).collect()
     }
@@ -175,7 +176,7 @@ impl Collection {
         let (path, count) = (self.path.display(), gone.len());
         let (files, are) = if count == 1 { ("file", "is") } else { ("files", "are") };
         Some(format!(
-            "`{path}` names {count} {files} that {are} gone or empty, `{}` among them: left out from now on",
+            "`{path}` names {count} {files} that {are} gone or cut short, `{}` among them: left out from now on",
             self.file(first)
         ))
     }
@@ -215,6 +216,12 @@ impl Collection {
     }
 }
 
+/// Whether a file is there to its end. One that the system does not let be read now is not lost.
+fn is_whole(path: &Path) -> bool {
+    let is_file = fs::metadata(path).is_ok_and(|file| file.is_file());
+    is_file && File::open(path).and_then(|mut file| ends_whole(&mut file)).unwrap_or(true)
+}
+
 fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
     let start = line.find(&format!("{name}=\""))? + name.len() + 2;
     let length = line[start..].find('"')?;
@@ -225,19 +232,21 @@ fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {
 mod tests {
     use super::*;
 
+    const FRAME: &[u8] = b"x\n</AppendedData>\n</VTKFile>\n";
+
     #[test]
     fn what_is_later_than_the_restart_goes() {
         let place = tempfile::tempdir().unwrap();
         let folder = RunFolder::create(place.path(), false).unwrap();
         let mut collection = Collection::new(&folder, "grains");
         for step in [0, 10, 20, 30] {
-            folder.write(&folder.root().join(collection.file(step)), b"x").unwrap();
+            folder.write(&folder.root().join(collection.file(step)), FRAME).unwrap();
             collection.add(step, step as f64 / 3.0);
         }
         collection.save(&folder).unwrap();
         // A frame that was written before the kill, but is not yet in the collection.
-        folder.write(&folder.root().join(collection.file(40)), b"x").unwrap();
-        fs::write(folder.frames().join("contacts_0000000040.vtp"), b"x").unwrap();
+        folder.write(&folder.root().join(collection.file(40)), FRAME).unwrap();
+        fs::write(folder.frames().join("contacts_0000000040.vtp"), FRAME).unwrap();
 
         let mut again = Collection::new(&folder, "grains");
         again.load().unwrap();
@@ -297,7 +306,7 @@ mod tests {
         let folder = RunFolder::create(place.path(), false).unwrap();
         let mut collection = Collection::new(&folder, "grains");
         for step in [0, 10, 20, 30] {
-            folder.write(&folder.root().join(collection.file(step)), b"x").unwrap();
+            folder.write(&folder.root().join(collection.file(step)), FRAME).unwrap();
         }
         collection.add(0, 0.0);
         collection.add(10, 0.5);
@@ -316,11 +325,15 @@ mod tests {
         let mut collection = Collection::new(&folder, "walls");
         collection.load().unwrap();
         assert_eq!(collection.len(), 0);
-        folder.write(&folder.root().join(collection.file(7)), b"x").unwrap();
+        folder.write(&folder.root().join(collection.file(7)), FRAME).unwrap();
         let text = "<DataSet timestep=\"1.5\" file=\"frames/walls_0000000007.vtp\"/>\n<DataSet timestep=\"\n\
                     <DataSet timestep=\"2\" file=\"../walls_0000000008.vtp\"/>\n";
         fs::write(&collection.path, text).unwrap();
         collection.load().unwrap();
         assert_eq!(collection.entries, [(7, 1.5)]);
+        for cut in [&FRAME[..FRAME.len() - 1], b""] {
+            fs::write(collection.file_path(7), cut).unwrap();
+            assert_eq!(collection.load().unwrap(), [7], "{cut:?}");
+        }
     }
 }

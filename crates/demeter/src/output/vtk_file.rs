@@ -11,7 +11,7 @@ use flate2::write::ZlibEncoder;
 use glam::DVec3;
 use rayon::prelude::*;
 use std::borrow::Cow;
-use std::io::{self, Cursor, Seek, SeekFrom, Write};
+use std::io::{self, Cursor, Read, Seek, SeekFrom, Write};
 
 /// Length of an uncompressed block [bytes], a multiple of the size of every type.
 pub(crate) const BLOCK: usize = 1 << 18;
@@ -26,7 +26,7 @@ pub(crate) const ENCODING: &str =
 /// What stands between the head and the data.
 pub(crate) const START_OF_DATA: &str = "<AppendedData encoding=\"raw\">\n_";
 /// What stands behind the data.
-pub(crate) const END_OF_DATA: &str = "\n</AppendedData>\n</VTKFile>\n";
+const END_OF_DATA: &str = "\n</AppendedData>\n</VTKFile>\n";
 /// The fastest level: higher ones cost much time and win little on the digits of `f64`.
 const LEVEL: u32 = 1;
 
@@ -320,6 +320,16 @@ impl<'a> Writer<'a> {
         out.rewind()?;
         out.write_all(xml.as_bytes())
     }
+}
+
+/// Whether a file has the end that is written last.
+pub(crate) fn ends_whole(file: &mut (impl Read + Seek)) -> io::Result<bool> {
+    let mark = END_OF_DATA.as_bytes();
+    let length = file.seek(SeekFrom::End(0))?;
+    file.seek(SeekFrom::Start(length.saturating_sub(mark.len() as u64)))?;
+    let mut end = Vec::new();
+    file.take(mark.len() as u64).read_to_end(&mut end)?;
+    Ok(end == mark)
 }
 
 /// Tells where an array begins, in a text of always the same length.

@@ -2,7 +2,7 @@
 
 use super::error::ResultsError;
 use super::poly_head::{ArrayPlace, Head};
-use crate::output::vtk_file::{BLOCK, END_OF_DATA, START_OF_DATA};
+use crate::output::vtk_file::{BLOCK, START_OF_DATA, ends_whole};
 use crate::output::vtp::{Array, Cells, PolyData, Values};
 use flate2::read::ZlibDecoder;
 use glam::DVec3;
@@ -43,7 +43,7 @@ impl TableFile {
                 "it ends, or goes on, without the place where its data begin",
             ));
         };
-        if !ends_whole(&mut file, length).map_err(io())? {
+        if !ends_whole(&mut file).map_err(io())? {
             return Err(ResultsError::damaged(path, "its end is missing"));
         }
         let data = text.len() as u64;
@@ -406,13 +406,4 @@ fn read_head(file: &mut File) -> io::Result<Option<Vec<u8>>> {
         }
     }
     Ok(None)
-}
-
-/// Whether a file has the end that is written last.
-fn ends_whole(file: &mut File, length: u64) -> io::Result<bool> {
-    let mark = END_OF_DATA.as_bytes();
-    file.seek(SeekFrom::Start(length.saturating_sub(mark.len() as u64)))?;
-    let mut end = Vec::new();
-    file.take(mark.len() as u64).read_to_end(&mut end)?;
-    Ok(end == mark)
 }

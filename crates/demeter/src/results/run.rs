@@ -94,7 +94,7 @@ impl Run {
         Ok(collections[0].entries().iter().filter(whole).map(moment).collect())
     }
 
-    /// That tables of frames which the run has written are gone or empty, or not named by their collection, in words; nothing where none is
+    /// That tables of frames which the run has written are gone or cut short, or not named by their collection, in words; nothing where none is
     /// missing.
     pub fn missing_frames(&self) -> Result<Option<String>, ResultsError> {
         let mut steps = BTreeSet::new();
@@ -114,7 +114,7 @@ impl Run {
         if let Some(last) = steps.last() {
             let (count, frames) = (steps.len(), if steps.len() == 1 { "frame is" } else { "frames are" });
             problems.push(format!(
-                "{count} {frames} not whole: files are gone or empty that the run has written, the last of them of step {last}"
+                "{count} {frames} not whole: files are gone or cut short that the run has written, the last of them of step {last}"
             ));
         }
         Ok((!problems.is_empty()).then(|| problems.join("; ")))
