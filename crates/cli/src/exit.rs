@@ -26,7 +26,9 @@ Exit codes:
     3  the simulation stopped on a fault; a snapshot of it was written. Of a sweep: a run failed, or what it left
        is damaged; of a fit: there is no answer between the ends that were told
   101  a defect of Demeter
-  130  interrupted (Ctrl-C, SIGTERM); a checkpoint was written, `demeter resume` goes on from it, or the same `demeter sweep`";
+  130  interrupted (Ctrl-C, SIGTERM); a checkpoint was written, `demeter resume` goes on from it, or the same `demeter sweep`
+  134  memory could not be had: give the job more (`ulimit -v`, the memory of a batch job), or take fewer grains or threads; `demeter resume`
+       goes on from the latest checkpoint";
 
 impl From<Exit> for ExitCode {
     fn from(exit: Exit) -> Self {

@@ -188,6 +188,11 @@ fn a_series_that_is_gone_is_not_begun_anew_in_silence() {
     place.write("cut/series.csv", &series);
     assert!(before == place.results("cut"), "something was changed");
 
+    place.write("cut/series.csv", &series.replace('\n', "\r\n"));
+    let said = place.expect(2, &["resume", "cut"]);
+    assert!(said.err.contains("its lines end with CR LF"), "{}", said.err);
+    place.write("cut/series.csv", &series);
+
     let second = series.match_indices('\n').nth(1).unwrap().0;
     let headless = format!("{}{}", &series[..=series.find('\n').unwrap()], &series[second + 1..]);
     place.write("cut/series.csv", &headless);

@@ -129,8 +129,18 @@ pub fn hint(error: &io::Error) -> Option<&'static str> {
             "No file may become that large there: choose another disk, or raise the limit of your shell (`ulimit -f`). \
              Everything written before is intact.",
         ),
+        _ if is_out_of_handles(error) => Some(
+            "This process, or the machine, may not open more files: raise the limit of your shell (`ulimit -n`), or end other programs.",
+        ),
         _ => None,
     }
+}
+
+/// Whether no file could be opened as too many are open, for which no kind of errors stands.
+fn is_out_of_handles(error: &io::Error) -> bool {
+    const ENFILE: i32 = 23;
+    const EMFILE: i32 = 24;
+    cfg!(unix) && matches!(error.raw_os_error(), Some(ENFILE | EMFILE))
 }
 
 #[cfg(test)]
@@ -145,6 +155,15 @@ mod tests {
         write_atomically(&path, b"second", Durability::PowerCut).unwrap();
         assert_eq!(fs::read(&path).unwrap(), b"second");
         assert_eq!(fs::read_dir(folder.path()).unwrap().count(), 1);
+    }
+
+    #[cfg(unix)]
+    #[test]
+    fn too_many_open_files_are_told_with_what_helps() {
+        for code in [23, 24] {
+            let told = hint(&io::Error::from_raw_os_error(code)).unwrap();
+            assert!(told.contains("ulimit -n"), "{told}");
+        }
     }
 
     #[test]

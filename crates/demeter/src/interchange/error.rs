@@ -89,7 +89,7 @@ pub enum ConvertError {
         why: &'static str,
     },
     /// A moment that is not there.
-    #[error("`{}` has no moment number {number}; there are {there}, from 0", path.display())]
+    #[error("`{}` has no moment number {number}; there are {there}, from 0{}", path.display(), and_lacks(lacks))]
     NoMoment {
         /// The input.
         path: PathBuf,
@@ -97,7 +97,13 @@ pub enum ConvertError {
         number: usize,
         /// How many there are.
         there: usize,
+        /// What is missing of the run, in words.
+        lacks: Vec<String>,
     },
+}
+
+fn and_lacks(lacks: &[String]) -> String {
+    lacks.iter().map(|problem| format!("; {problem}")).collect()
 }
 
 /// Endings that tell a format.

@@ -171,10 +171,15 @@ impl Source {
 
     fn missing(&self, number: usize) -> ConvertError {
         let there = self.there().min(number);
+        let lacks = match &self.kind {
+            Kind::Run { notes, .. } => notes.clone(),
+            Kind::File { .. } => Vec::new(),
+        };
         ConvertError::NoMoment {
             path: self.path.clone(),
             number,
             there,
+            lacks,
         }
     }
 }

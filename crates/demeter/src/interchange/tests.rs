@@ -209,6 +209,12 @@ fn boxes_of_a_run_that_deform_are_written_and_read() {
         "1 frame is not whole: files are gone or cut short that the run has written, the last of them of step {step}"
     );
     assert!(done.notes.contains(&lacks), "{:?}", done.notes);
+    let collection = at("run").join("grains.pvd");
+    let kept = fs::read(&collection).unwrap();
+    fs::write(&collection, "").unwrap();
+    let error = convert(&at("run"), &at("none.csv"), &how(Target::Grains(Format::Columns))).unwrap_err();
+    assert!(error.to_string().contains("grains.pvd` does not name"), "{error}");
+    fs::write(&collection, kept).unwrap();
     // sheared along z, the first edge leaves the axis x
     run("other", "flow = \"z\", gradient = \"x\"");
     for (format, told) in [

@@ -219,7 +219,10 @@ impl Collection {
 /// Whether a file is there to its end. One that the system does not let be read now is not lost.
 fn is_whole(path: &Path) -> bool {
     let is_file = fs::metadata(path).is_ok_and(|file| file.is_file());
-    is_file && File::open(path).and_then(|mut file| ends_whole(&mut file)).unwrap_or(true)
+    is_file
+        && File::open(path)
+            .and_then(|mut file| ends_whole(&mut file))
+            .unwrap_or(true)
 }
 
 fn attribute<'a>(line: &'a str, name: &str) -> Option<&'a str> {

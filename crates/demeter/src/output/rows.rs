@@ -193,6 +193,13 @@ fn other_columns(path: &Path, header: &[String], begin: &[u8], rest: impl BufRea
         .and_then(Result::ok)
         .map(|record| record.iter().map(str::to_owned).collect())
         .unwrap_or_default();
+    if found == header && line.ends_with(b"\r\n") {
+        return Ok(OutputError::OtherSeries {
+            path: path.to_owned(),
+            problem: "its lines end with CR LF, as an editor or a copy made them, and the run ends them with LF"
+                .to_string(),
+        });
+    }
     let without = |all: &[String], others: &[String]| -> Vec<String> {
         all.iter().filter(|title| !others.contains(title)).cloned().collect()
     };

@@ -4,7 +4,8 @@ use super::reader::did_you_mean;
 use super::run::labels;
 use super::{Diagnostics, PlotSpec, Scenario};
 use crate::output::{OutputError, Plot, RunFolder, Series};
-use crate::results::{Column, Columns, column_name, position_of};
+use crate::results::{Column, Columns, ResultsError, column_name, position_of};
+use std::io::ErrorKind;
 
 /// Most stages that get a line of their own in a plot of one column.
 const MAX_LINES: usize = 8;
@@ -50,9 +51,16 @@ pub(super) fn write(folder: &RunFolder, asked: &[PlotSpec]) -> Result<(), Output
         .to_vec(),
     };
     let path = folder.series();
-    let table = Columns::read(&path).map_err(|error| OutputError::RowsLost {
-        problem: error.to_string(),
-        path,
+    let table = Columns::read(&path).map_err(|error| match error {
+        ResultsError::Io { path, source } if source.kind() != ErrorKind::NotFound => OutputError::Io {
+            action: "read",
+            path,
+            source,
+        },
+        error => OutputError::RowsLost {
+            problem: error.to_string(),
+            path,
+        },
     })?;
     for spec in std::iter::once(&energies).chain(asked) {
         plot(&table, spec).write_svg(&folder.plot(&spec.name))?;
