@@ -100,6 +100,18 @@ pub fn normal_energy(law: &PairLaw, size: PairSize, overlap: f64, history: &[f64
     law.normal.visit(Stored(size, overlap, history))
 }
 
+/// Brings what a contact of these sizes remembers in line with a law whose parameters were others when it was written.
+pub fn adopt(law: &PairLaw, size: PairSize, history: &mut [f64]) {
+    struct Adopt<'a>(PairSize, &'a mut [f64]);
+    impl NormalVisitor for Adopt<'_> {
+        type Output = ();
+        fn visit<L: Normal>(self, law: &L) {
+            law.adopt(self.0, &mut self.1[..law.history()]);
+        }
+    }
+    law.normal.visit(Adopt(size, history));
+}
+
 /// Largest gap across which the normal law acts between bodies of these sizes [m].
 pub fn largest_reach(law: &PairLaw, size: PairSize) -> f64 {
     struct Reach(PairSize);

@@ -442,6 +442,11 @@ impl ContactChunk {
         &self.now.history[contact * stride..(contact + 1) * stride]
     }
 
+    /// History of one contact, to be changed.
+    pub(crate) fn history_mut(&mut self, contact: usize, stride: usize) -> &mut [f64] {
+        &mut self.now.history[contact * stride..(contact + 1) * stride]
+    }
+
     /// Contacts of a candidate of this chunk.
     #[inline(always)]
     pub fn contacts_of(&self, candidate: usize) -> Range<usize> {

@@ -7,6 +7,7 @@ use crate::contacts::laws;
 use crate::materials::Materials;
 use crate::particles::{HigherDerivatives, MOST_CROSSINGS, can_be_counted};
 use glam::DVec3;
+use std::mem;
 
 /// Forces at new places are found with a step that is so much shorter, in which springs hardly move.
 const SHORT_STEP: f64 = 1e-3;
@@ -125,8 +126,8 @@ impl Simulation {
         }
         let before = self.present_energy();
         self.resists_rolling = laws::resists_rolling(&materials);
-        self.materials = materials;
-        self.find_forces_of_other_laws()?;
+        let was = mem::replace(&mut self.materials, materials);
+        self.find_forces_of_other_laws(&was)?;
         self.book_change_since(before);
         Ok(())
     }
@@ -139,15 +140,32 @@ impl Simulation {
     }
 
     /// Lets the laws act that it has now in place of others, under which contacts began and candidates were found.
-    pub(crate) fn find_forces_of_other_laws(&mut self) -> Result<(), Fault> {
+    pub(crate) fn find_forces_of_other_laws(&mut self, was: &Materials) -> Result<(), Fault> {
         self.hear_corrected_places();
         self.grains.higher.fill(HigherDerivatives::default());
         self.near.look_anew();
         if self.is_started() {
+            self.let_contacts_adopt_laws(was);
             self.find_forces_anew()
         } else {
             Ok(())
         }
+    }
+
+    fn let_contacts_adopt_laws(&mut self, was: &Materials) {
+        let mut contacts = mem::take(&mut self.contacts);
+        let stride = contacts.stride;
+        for (chunks, wall) in [(&mut contacts.pairs, false), (&mut contacts.walls, true)] {
+            for chunk in chunks {
+                let [law, former] = [&self.materials, was].map(|laws| laws.law(chunk.law()));
+                let is_other = law.normal != former.normal;
+                for k in (0..chunk.len()).filter(|_| is_other) {
+                    let size = self.pair_size(chunk.i[k] as usize, (!wall).then(|| chunk.j[k] as usize));
+                    laws::adopt(law, size, chunk.history_mut(k, stride));
+                }
+            }
+        }
+        self.contacts = contacts;
     }
 
     /// Books what the energy became by other laws, another gravity or other walls, as work from outside; `before`: what it was [J].

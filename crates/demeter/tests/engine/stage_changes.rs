@@ -242,3 +242,103 @@ contact = {{ normal = {{ restitution = 0.3 }}, tangential = {{ friction = 0.1 }}
         assert!((3.0..5.0).contains(&(coarse / fine)), "{coarse}, {fine}");
     }
 }
+
+/// Grains that stick in dents: these tear where the law has it that acts, and the error of the books is that of the time step.
+#[test]
+fn dents_tear_where_the_other_law_of_a_stage_has_it() {
+    let residual = |time_step: &str| {
+        let place = tempfile::tempdir().unwrap();
+        let scenario = parse(&format!(
+            r#"simulation.time_step = "{time_step}"
+simulation.max_overlap = 0.5
+{HEAD}
+[contact]
+normal = {{ law = "eepa", alpha = 0, plasticity_ratio = 0.6, surface_energy = "4 J/m^2" }}
+[[grains]]
+material = "seed"
+source = "list"
+positions = [["0 m", "0 m", "0 m"]]
+velocity = "0.3 0 0 m/s"
+diameter = "2 mm"
+[[grains]]
+material = "seed"
+source = "list"
+positions = [["2 mm", "0 m", "0 m"], ["4.01 mm", "0 m", "0 m"]]
+velocity = "-0.1 0 0 m/s"
+diameter = "2 mm"
+[[stage]]
+duration = "4 ms"
+[[stage]]
+duration = "2 ms"
+contact = {{ normal = {{ surface_energy = "2 J/m^2" }} }}
+[[stage]]
+duration = "2 ms"
+contact = {{ normal = {{ plasticity_ratio = 0.4 }} }}
+"#
+        ));
+        let report = run_in(&scenario, place.path(), 1, &mut watcher());
+        assert_eq!(report.end, RunEnd::Finished);
+        let residual = &series(place.path())["energy residual"];
+        [residual[4], residual[5] - residual[4], residual[7] - residual[6]]
+    };
+    let [coarse, fine] = ["1/100", "1/200"].map(residual);
+    for (coarse, fine) in coarse.into_iter().zip(fine) {
+        assert!(coarse.abs() < 5e-6, "{coarse}");
+        assert!((3.0..5.0).contains(&(coarse / fine)), "{coarse}, {fine}");
+    }
+}
+
+/// A grain that swings on a floor without ever leaving it.
+#[test]
+fn another_restitution_of_a_stage_damps_contacts_that_last() {
+    let viscous = |law: &str, stage: &str| {
+        let place = tempfile::tempdir().unwrap();
+        let scenario = parse(&format!(
+            r#"{HEAD}
+[contact]
+normal = {{ {law} }}
+[[grains]]
+material = "seed"
+source = "list"
+positions = [["0 m", "0 m", "0.998 mm"]]
+diameter = "2 mm"
+[[wall]]
+name = "floor"
+material = "seed"
+shape = "plane"
+point = "0 0 0 m"
+normal = "z"
+[[stage]]
+duration = "2 ms"
+[[stage]]
+duration = "8 ms"
+{stage}
+"#
+        ));
+        let report = run_in(&scenario, place.path(), 1, &mut watcher());
+        assert_eq!(report.end, RunEnd::Finished);
+        last(&series(place.path()), "viscous dissipation [J]")
+    };
+    let solved = r#"restitution = 0.95, impact_speed = "10 mm/s""#;
+    let table = |at_rest: f64| format!(r#"restitution = [["0.1 m/s", {at_rest}], ["1 m/s", 0.1]]"#);
+    let constant = "restitution = 0.3".to_string();
+    for (law, other) in [
+        (format!(r#"law = "viscoelastic", {solved}"#), &constant),
+        (
+            format!(r#"law = "jkr", work_of_adhesion = "1e-5 J/m^2", {solved}"#),
+            &constant,
+        ),
+        (
+            format!(r#"law = "eepa", plasticity_ratio = 0.01, surface_energy = "0 J/m^2", {solved}"#),
+            &constant,
+        ),
+        (format!(r#"law = "hertz-tsuji", {}"#, table(0.95)), &table(0.3)),
+    ] {
+        let other = format!("contact = {{ normal = {{ {other} }} }}");
+        let [changed, same] = [other.as_str(), ""].map(|stage| viscous(&law, stage));
+        assert!(
+            changed > 1.5 * same,
+            "{law}: {changed} J where it changes, {same} J where not"
+        );
+    }
+}

@@ -150,7 +150,7 @@ impl Runner<'_> {
         let mut warnings = check(self.scenario, &laws, sim, was, has_other_laws)?;
         if has_other_laws {
             sim.reach_as_far_as(laws.iter().map(|laws| &laws.materials));
-            let found = self.sim.find_forces_of_other_laws();
+            let found = self.sim.find_forces_of_other_laws(&former.materials);
             found.map_err(|fault| RunError::BeyondLaws(Box::new(fault)))?;
         }
         warnings.extend(in_the_past(self.scenario, was, self.place.stage, &self.sim));

@@ -111,6 +111,7 @@ impl Normal for Dmt {
     }];
     /// The dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
+    const LASTING: usize = 0;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = DmtParameters::from_values(values)?;

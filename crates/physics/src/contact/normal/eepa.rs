@@ -105,6 +105,7 @@ impl Normal for Eepa {
         with: &["impact_speed"],
     }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const LASTING: usize = REMEMBERED;
     const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
@@ -143,6 +144,13 @@ impl Normal for Eepa {
         let (response, next) = follow(&spring, input, state);
         (memory[0], memory[1], memory[2]) = (next.peak, next.tear, next.largest);
         response
+    }
+
+    /// The dent stays; where it tears follows from the parameters.
+    fn adopt(&self, size: PairSize, history: &mut [f64]) {
+        let (memory, dashpot) = history.split_at_mut(REMEMBERED);
+        memory[1] = self.spring(size).at_peak(memory[0], memory[2]).tear;
+        dashpot.fill(0.0);
     }
 
     fn energy(&self, size: PairSize, overlap: f64, history: &[f64]) -> f64 {

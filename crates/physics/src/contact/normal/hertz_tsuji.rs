@@ -55,6 +55,7 @@ impl Normal for HertzTsuji {
         },
     ];
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
+    const LASTING: usize = 0;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = HertzTsujiParameters::from_values(values)?;

@@ -126,6 +126,7 @@ impl Normal for Jkr {
     }];
     /// 1 while the surfaces hold each other; the dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::NONE, Dimension::NONE];
+    const LASTING: usize = 1;
     const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

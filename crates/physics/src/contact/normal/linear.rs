@@ -66,6 +66,7 @@ impl Normal for Linear {
         },
     ];
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
+    const LASTING: usize = 0;
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = LinearParameters::from_values(values)?;

@@ -109,6 +109,7 @@ impl Normal for Luding {
         with: &["impact_speed"],
     }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const LASTING: usize = REMEMBERED;
     const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, _pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

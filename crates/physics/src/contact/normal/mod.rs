@@ -141,6 +141,9 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     const ALTERNATIVES: &'static [Alternatives] = &[];
     /// Dimensions of the values that it remembers per contact.
     const HISTORY: &'static [Dimension];
+    /// How many of them, the first ones, hold with other parameters, too; the others follow from the parameters and are noted anew where
+    /// they are 0.
+    const LASTING: usize = Self::HISTORY.len();
     /// Whether the law finds its own kinks and takes its mean over the window near them only, as [`path::follow`] does.
     /// The predictor-corrector hands such a law the whole window, and others a window near the ends of contact alone
     /// ([`Integrator::half_window`](crate::integrator::Integrator::half_window)).
@@ -192,6 +195,11 @@ pub trait Normal: Copy + PartialEq + Send + Sync + 'static {
     #[inline(always)]
     fn largest_reach(&self, _size: PairSize) -> f64 {
         0.0
+    }
+
+    /// Brings what a contact remembers in line with this law, where the same law with other parameters wrote it.
+    fn adopt(&self, _size: PairSize, history: &mut [f64]) {
+        history.iter_mut().skip(Self::LASTING).for_each(|value| *value = 0.0);
     }
 
     /// Whether the law can do for bodies of these sizes what its parameters ask; if not, why.

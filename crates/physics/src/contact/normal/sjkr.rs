@@ -63,6 +63,7 @@ impl Normal for Sjkr {
     }];
     /// The dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::NONE];
+    const LASTING: usize = 0;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = SjkrParameters::from_values(values)?;

@@ -245,6 +245,7 @@ impl Normal for ThorntonNing {
     }];
     /// Largest contact radius after yield; 1 while the surfaces hold each other; the dashpot's own.
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::NONE, Dimension::NONE];
+    const LASTING: usize = 2;
     const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

@@ -169,6 +169,7 @@ impl Normal for Tomas {
         with: &["impact_speed"],
     }];
     const HISTORY: &'static [Dimension] = &[Dimension::LENGTH, Dimension::LENGTH, Dimension::NONE];
+    const LASTING: usize = REMEMBERED;
     const FOLLOWS_KINKS: bool = true;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {

@@ -81,6 +81,7 @@ impl Normal for Viscoelastic {
         with: &["impact_speed"],
     }];
     const HISTORY: &'static [Dimension] = &[Dimension::TIME];
+    const LASTING: usize = 0;
 
     fn new(values: &Values, pair: &MaterialPair) -> Result<Self, Vec<ParameterError>> {
         let p = ViscoelasticParameters::from_values(values)?;
