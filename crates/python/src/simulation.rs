@@ -526,7 +526,7 @@ impl Simulation {
     /// The energy ledger [J], as a dict: what is there (``kinetic``, ``rotational``, ``gravitational``, ``elastic``, ...), what was
     /// dissipated and put in since the start (``friction_dissipated``, ``wall_work``, ``custom_work``, ...), and ``residual``.
     fn energies<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyAny>> {
-        let energies = self.live()?.run.change(EngineSimulation::energies);
+        let energies = self.live()?.run.energies();
         let json = serde_json::to_value(energies).map_err(|e| Error::new_err(e.to_string()))?;
         from_json(py, &json)
     }
@@ -534,7 +534,7 @@ impl Simulation {
     /// Share of the energy that passed through the system which the ledger does not explain.
     #[getter]
     fn residual(&self) -> PyResult<f64> {
-        Ok(self.live()?.run.change(EngineSimulation::energies).residual)
+        Ok(self.live()?.run.energies().residual)
     }
 
     /// Everything that a row of the series tells, now, as a dict: ``{"time [s]": 0.1, "coordination": 4.2, ...}``.

@@ -127,6 +127,11 @@ impl<'a> Followed<'a> {
         }
     }
 
+    /// Goes on with what was remembered before.
+    pub fn remember(&mut self, state: FollowedState) {
+        self.state = state;
+    }
+
     /// Whether any measure follows grains.
     pub fn looks_at_grains(&self) -> bool {
         !(self.flows.is_empty() && self.residences.is_empty() && self.displacements.is_empty())

@@ -7,7 +7,7 @@ use super::run::{Observer, Runner, read_run, thread_pool};
 use super::run_error::RunError;
 use super::run_options::RunOptions;
 use crate::output::{RunFolder, RunLock, SeriesTable, Summary};
-use crate::simulation::Simulation;
+use crate::simulation::{Energies, Simulation};
 use self_cell::self_cell;
 use std::path::{Path, PathBuf};
 use std::time::Instant;
@@ -211,6 +211,11 @@ impl LiveRun {
             runner.note_time_step(before);
             done
         })
+    }
+
+    /// The energies and their ledger at this moment.
+    pub fn energies(&mut self) -> Energies {
+        self.in_threads(|runner| runner.energies())
     }
 
     /// What a row of the series would tell now, as a series of one row.

@@ -183,6 +183,17 @@ impl<'a> Traffic<'a> {
         self.followed.hear_impacts(sim);
     }
 
+    /// What measures remember of this run up to now. Each process calls this.
+    pub fn remembered(&mut self, sim: &mut Simulation) -> FollowedState {
+        self.hear_impacts(sim);
+        self.followed.state().clone()
+    }
+
+    /// Goes on with what they remembered.
+    pub fn remember(&mut self, state: FollowedState) {
+        self.followed.remember(state);
+    }
+
     /// Whether grains are looked at after the latest step.
     pub fn looks(&self, sim: &Simulation) -> bool {
         self.followed.is_due(sim) || self.is_due(sim)

@@ -170,6 +170,28 @@ fn pauses_change_no_bit() {
 }
 
 #[test]
+fn looks_leave_no_trace_in_rows() {
+    let measures = r#"measure = [
+        { name = "gate", kind = "mass-flow", gate = { shape = "plane", point = "0 0 20 mm", normal = "-z" } },
+        { name = "stay", kind = "residence", region = { shape = "box", lower = "0 0 0 mm", upper = "20 20 20 mm" } },
+        { name = "hits", kind = "collisions", material = "glass" },
+    ]"#
+    .replace('\n', "");
+    let rows = |looks: bool| {
+        let mut run = live_with(&[&measures], 1, None);
+        while run.stage().is_some() {
+            steps(&mut run, 7);
+            if looks {
+                run.present();
+                assert!(run.energies().residual.is_finite());
+            }
+        }
+        run.with_series(|series| format!("{:?}", series.columns())).unwrap()
+    };
+    assert_eq!(rows(true), rows(false));
+}
+
+#[test]
 fn the_work_of_a_custom_force_closes_the_ledger_on_any_threads() {
     let runs = [1, 2].map(|threads| {
         // the trap squeezes grains by up to a fifth

@@ -7,7 +7,7 @@ use crate::output::{Frame, FrameBox, FramePart, OutputError, RowFile, SeriesTabl
 use crate::scenario::rows::Rows;
 use crate::scenario::run_error::RunError;
 use crate::scenario::{Scenario, column_stops, field_files};
-use crate::simulation::{Phase, Simulation, SimulationState, StopCondition};
+use crate::simulation::{Energies, Phase, Simulation, SimulationState, StopCondition};
 use crate::walls::Wall;
 use std::path::{Path, PathBuf};
 
@@ -32,13 +32,27 @@ impl<'a> Runner<'a> {
         Ok(())
     }
 
+    /// The energies and their ledger at this moment.
+    pub(in crate::scenario) fn energies(&mut self) -> Energies {
+        self.without_a_trace(|runner| runner.sim.energies())
+    }
+
     /// What a row of the series would tell now, as a series of one row.
     pub(in crate::scenario) fn present(&mut self) -> SeriesTable {
         let moment = self.moment();
-        let row = self.rows.measure(&mut self.sim, &mut self.traffic, moment);
+        let row = self.without_a_trace(|runner| runner.rows.measure(&mut runner.sim, &mut runner.traffic, moment));
         let mut table = SeriesTable::new(labels(self.scenario));
         table.add(&row);
         table
+    }
+
+    /// Looks as a row of the series does; those that are written tell the same as without.
+    fn without_a_trace<T>(&mut self, look: impl FnOnce(&mut Self) -> T) -> T {
+        let remembered = (self.sim.books, self.traffic.remembered(&mut self.sim));
+        let seen = look(self);
+        self.sim.books = remembered.0;
+        self.traffic.remember(remembered.1);
+        seen
     }
 
     pub(in crate::scenario) fn moment(&self) -> Moment {
