@@ -30,7 +30,7 @@ use std::io::{self, BufRead, BufReader, BufWriter, Read, Seek, SeekFrom, Write};
 use std::path::{Path, PathBuf};
 
 /// Version of the format. It grows with every change of the layout or of the type of the payload.
-pub const FORMAT: u32 = 37;
+pub const FORMAT: u32 = 38;
 
 /// File name of the latest checkpoint of a run.
 pub const LATEST: &str = "checkpoint.latest";

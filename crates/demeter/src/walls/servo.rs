@@ -25,6 +25,8 @@ use serde::{Deserialize, Serialize};
 const HASTE: u32 = 8;
 /// Steps of slow approach before the brake is loosened.
 const PATIENCE: u32 = 100;
+/// Share of the target up to which an error is told as none.
+const NEAR: f64 = 0.01;
 /// `T` in steps.
 const CARRY: f64 = 500.0;
 /// Steps for which a plate that reached its target is approaching it still.
@@ -53,8 +55,8 @@ pub(crate) struct Servo {
     held: u32,
     /// Steps since it touched the bed last.
     apart: u32,
-    /// Whether the wall pressed too little in the last step.
-    wanting: bool,
+    /// Whether the wall pressed too little in the last step; nothing before the first, and more than 0 is too much anyway.
+    wanting: Option<bool>,
     since_crossing: u32,
     since_review: u32,
     error_at_review: f64,
@@ -75,7 +77,7 @@ impl Servo {
             follows: true,
             held: 0,
             apart: u32::MAX,
-            wanting: true,
+            wanting: (target == 0.0).then_some(true),
             since_crossing: u32::MAX,
             since_review: 0,
             error_at_review: f64::MAX,
@@ -85,10 +87,10 @@ impl Servo {
     }
 
     /// Share of the steps in which it pressed that it spent at its largest speed, so that it did not hold its target; nothing where
-    /// it has never pressed with what it is told. And that speed.
+    /// it has never pressed with what it is told, nor nearly. And that speed.
     pub(crate) fn limited(&self) -> (Option<f64>, f64) {
         let share = self.at_limit as f64 / self.pressed.max(1) as f64;
-        let never = self.pressed == 0 && self.target > 0.0;
+        let never = self.pressed == 0 && self.target > 0.0 && self.error_at_review > NEAR * self.scale;
         ((!never).then_some(share), self.max_speed)
     }
 
@@ -128,11 +130,10 @@ impl Servo {
     fn review(&mut self, error: f64) {
         let wanting = error >= 0.0;
         self.since_crossing = self.since_crossing.saturating_add(1);
-        if wanting != self.wanting {
+        if wanting != self.wanting.replace(wanting).unwrap_or(wanting) {
             if self.since_crossing <= HASTE {
                 self.brake = (2.0 * self.brake).min(STRONGEST);
             }
-            self.wanting = wanting;
             self.since_crossing = 0;
             self.since_review = 0;
             self.follows = true;
@@ -405,6 +406,24 @@ mod tests {
             }
             let mean = sum / f64::from(steps / 2);
             assert!((mean / target - 1.0).abs() < 1e-3, "at most {max_speed} m/s: {mean}");
+        }
+    }
+
+    #[test]
+    fn a_plate_that_presses_too_much_at_first_has_not_come_to_its_target() {
+        let mut servo = Servo::new(1.0, 0.1);
+        (0..500).for_each(|_| assert_eq!(servo.speed(9.0), -0.1));
+        assert_eq!(servo.limited(), (None, 0.1));
+        (0..80).for_each(|_| _ = servo.speed(0.99));
+        assert_eq!(servo.limited(), (Some(0.0), 0.1));
+    }
+
+    #[test]
+    fn a_plate_that_creeps_to_its_target_has_come_to_it() {
+        let mut servo = Servo::new(1.0, 0.1);
+        for (pressing, told) in [(0.9, None), (0.995, Some(0.0))] {
+            (0..2 * PATIENCE).for_each(|_| _ = servo.speed(pressing));
+            assert_eq!(servo.limited().0, told, "{pressing}");
         }
     }
 
