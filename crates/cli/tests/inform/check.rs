@@ -188,6 +188,63 @@ duration = "0.5 s"
     }
 }
 
+/// Grains of a feed come around a shaft through the floor, and not where it is, from where they would fall through the hole.
+#[test]
+fn check_asks_feeds_around_a_shaft() {
+    let place = Place::new();
+    let (head, _) = OBJ_BOX.split_once("[[grains]]").unwrap();
+    let piece = |k: usize, center: &str, half_u: &str, half_v: &str| {
+        format!(
+            "[[wall]]\nname = \"floor-{k}\"\nmaterial = \"glass\"\nshape = \"rectangle\"\ncenter = \"{center} 0 mm\"\n\
+             half_u = \"{half_u} 0 mm\"\nhalf_v = \"{half_v} 0 mm\"\n"
+        )
+    };
+    let floor: String = [
+        ("6.5 0", "3.5 0", "0 10"),
+        ("-6.5 0", "3.5 0", "0 10"),
+        ("0 6.5", "3 0", "0 3.5"),
+        ("0 -6.5", "3 0", "0 3.5"),
+    ]
+    .into_iter()
+    .enumerate()
+    .map(|(k, (center, half_u, half_v))| piece(k, center, half_u, half_v))
+    .collect();
+    place.write(
+        "ring.toml",
+        &format!(
+            r#"{head}
+[[wall]]
+name = "cup"
+material = "glass"
+shape = "cylinder"
+start = "0 0 0 mm"
+end = "0 0 40 mm"
+radius = "10 mm"
+[[wall]]
+name = "shaft"
+material = "glass"
+shape = "cylinder"
+side = "outside"
+start = "0 0 -5 mm"
+end = "0 0 40 mm"
+radius = "4.5 mm"
+{floor}
+[[feed]]
+name = "in"
+material = "glass"
+diameter = "2.5 mm"
+number_rate = "1000 1/s"
+from = {{ shape = "cylinder", start = "0 0 20 mm", end = "0 0 35 mm", radius = "9 mm" }}
+[[stage]]
+duration = "0.5 s"
+"#
+        ),
+    );
+    let said = place.expect(0, &["check", "ring.toml"]);
+    let holds = "hold a grain of diameter 0.0025 m, and are open at the top";
+    assert!(said.out.contains(holds), "{}", said.out);
+}
+
 /// A grain in the box of `leaky_box`.
 const OBJ_BOX: &str = r#"
 [simulation]

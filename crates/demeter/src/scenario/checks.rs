@@ -166,7 +166,9 @@ pub(super) fn check_overlaps(
         );
         if share > allowed {
             let advice = if share > 1.0 {
-                format!("{SOLID_BEHIND}: move it, or {TWO_SIDES}")
+                format!(
+                    "{SOLID_BEHIND}: move it, let the grains come by a `[[feed]]`, which keeps them off walls, or {TWO_SIDES}"
+                )
             } else {
                 "move them apart, let the grains come by a `[[feed]]`, which keeps them off walls, or raise \
                  `simulation.max_overlap` if the packing is meant to be loaded"

@@ -94,9 +94,7 @@ impl Feeding<'_> {
         let expected = (self.due(state) / self.source.mean_mass()).min(MAX_AT_ONCE as f64) as u64 + 1;
         let mut occupied = self.source.occupied(there.into_iter(), sim.largest_reach(), expected);
         let solid = InTheWay::of(self.source, self.solids, &sim.walls);
-        let is_blocked = |place: DVec3, reach: f64| {
-            sim.walls.iter().any(|wall| wall.nearest(place, reach).is_some()) || solid.holds(place)
-        };
+        let is_blocked = |place: DVec3, reach: f64| solid.meets(place, reach);
         for _ in 0..MAX_AT_ONCE {
             let Some(radius) = self.next(state) else { return };
             let Some(grain) = self

@@ -59,8 +59,12 @@ impl<'a> InTheWay<'a> {
         }
     }
 
-    /// Whether a place is where something is solid.
-    pub(super) fn holds(&self, place: DVec3) -> bool {
+    /// Whether a grain with this centre would meet a wall, or be where something is solid.
+    pub(super) fn meets(&self, place: DVec3, radius: f64) -> bool {
+        self.walls.iter().any(|wall| wall.nearest(place, radius).is_some()) || self.holds(place)
+    }
+
+    fn holds(&self, place: DVec3) -> bool {
         self.solids.iter().any(|solid| solid.holds(self.walls, place)) || self.tubes.are_behind(place)
     }
 }

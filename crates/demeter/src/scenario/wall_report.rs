@@ -1,7 +1,9 @@
 //! What `demeter check` tells of the walls: what is remarkable about every mesh, and where grains would get out.
 
+use super::solids::{InTheWay, Solid};
 use super::traffic::sources;
 use super::{Prepared, Scenario};
+use crate::insertion::Streaming;
 use crate::walls::leak::{LeakReport, LeakTest, Untested, find_openings};
 use crate::walls::mesh::Inspection;
 use glam::DVec3;
@@ -27,9 +29,7 @@ pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
     let setup = &prepared.setup;
     let all = [&setup.grains, &prepared.to_come];
     let mut starts: Vec<_> = setup.grains.position.iter().copied().collect();
-    for source in sources(scenario, &setup.domain).unwrap_or_default() {
-        starts.extend(source.places(source.radii()[0], PLACES_OF_A_FEED));
-    }
+    starts.extend(places_of_feeds(scenario, prepared));
     let smallest = all
         .iter()
         .flat_map(|grains| grains.radii())
@@ -51,6 +51,24 @@ pub fn inspect_walls(scenario: &Scenario, prepared: &Prepared) -> WallReport {
         }),
         smallest,
     }
+}
+
+/// Where grains of feeds may come, as the walls stand at the start.
+fn places_of_feeds(scenario: &Scenario, prepared: &Prepared) -> Vec<DVec3> {
+    let walls = &prepared.setup.walls;
+    let sources = sources(scenario, &prepared.setup.domain).unwrap_or_default();
+    let solids = match sources.is_empty() {
+        true => Vec::new(),
+        false => Solid::all(walls),
+    };
+    let free_places = |source: &Streaming| {
+        let radius = source.radii()[0];
+        let in_the_way = InTheWay::of(source, &solids, walls);
+        let mut places = source.places(radius, PLACES_OF_A_FEED);
+        places.retain(|&place| !in_the_way.meets(place, radius));
+        places
+    };
+    sources.iter().flat_map(free_places).collect()
 }
 
 fn meetings(scenario: &Scenario, prepared: &Prepared) -> Vec<([usize; 2], DVec3)> {
