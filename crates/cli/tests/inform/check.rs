@@ -361,6 +361,17 @@ fn check_tells_of_meshes_and_where_grains_get_out() {
         "{}",
         said.out
     );
+    assert!(!said.err.contains("not flat"), "{}", said.err);
     let surface = place.expect(0, &["info", "box.obj", "--json"]).json();
     assert_eq!((&surface["format"], &surface["triangles"]), (&"OBJ".into(), &10.into()));
+
+    // one corner of the floor is lifted by 2 mm
+    place.write("box.obj", &leaky_box().replace("v 20 20 0", "v 20 20 2"));
+    let said = place.expect(0, &["check", "box.toml"]);
+    let told = "wall `box`: 1 faces of the file are not flat: their corners are up to 9.9";
+    assert!(
+        said.err.contains(told) && said.err.contains("e-4 m apart"),
+        "{}",
+        said.err
+    );
 }

@@ -38,6 +38,8 @@ pub struct MeshSource {
     pub polygons: usize,
     /// Those of them whose outline crosses itself, or which are far from flat.
     pub twisted: usize,
+    /// Those whose corners do not lie in a plane, and how far apart these are across it at most [m].
+    pub warped: (usize, f64),
 }
 
 /// What a wall is made of; on error the key at fault and why.
@@ -60,6 +62,7 @@ pub(super) fn made_of(spec: &WallSpec) -> Result<(Made, Option<MeshOrigin>), (&'
                 unit_is_told,
                 polygons: content.polygons,
                 twisted: content.twisted,
+                warped: content.warped,
             };
             (content.triangles, Some(source))
         }
@@ -109,6 +112,13 @@ pub(super) fn check(
                 "wall `{}`: {} faces of the file cross themselves or are far from flat, their triangles are a guess; \
                  export triangles",
                 spec.name, source.twisted
+            ));
+        }
+        if let (count @ 1.., apart) = source.warped {
+            warnings.push(format!(
+                "wall `{}`: {count} faces of the file are not flat: their corners are up to {apart:.3e} m apart across them, and as far would \
+                 the surface be elsewhere, were they cut into other triangles; export triangles",
+                spec.name
             ));
         }
         if let Some(doubt) = doubt_unit_of(wall, origin, grains) {

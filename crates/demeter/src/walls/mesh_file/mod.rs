@@ -69,6 +69,8 @@ pub struct MeshFileContent {
     pub polygons: usize,
     /// Those of them whose outline crosses itself, or which are far from flat: their triangles are a guess.
     pub twisted: usize,
+    /// Those whose corners do not lie in a plane, and how far apart these are across it at most [m].
+    pub warped: (usize, f64),
     /// Unit that the file itself names, and its size [m]; only lists of triangles can.
     pub told_unit: Option<(&'static str, f64)>,
 }
@@ -82,6 +84,7 @@ impl Content {
             triangles,
             polygons: 0,
             twisted: 0,
+            warped: (0, 0.0),
             told_unit: None,
         }
     }
@@ -90,6 +93,7 @@ impl Content {
         Content {
             polygons: cutter.polygons,
             twisted: cutter.twisted,
+            warped: cutter.warped,
             ..Self::of_triangles(format, cutter.triangles)
         }
     }
@@ -106,6 +110,7 @@ pub fn read_mesh(path: &Path, scale: Option<f64>, shift: DVec3) -> Result<MeshFi
         return Err(MeshFileError::Empty { path: path.to_owned() });
     }
     let scale = scale.or(content.told_unit.map(|(_, size)| size)).unwrap_or(1.0);
+    content.warped.1 *= scale.abs();
     for (index, triangle) in content.triangles.iter_mut().enumerate() {
         for corner in triangle {
             *corner = *corner * scale + shift;

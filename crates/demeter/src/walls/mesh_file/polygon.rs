@@ -11,6 +11,9 @@ use std::path::Path;
 /// Most corners of a face that is not strictly convex: the work grows with their cube at worst.
 pub(super) const MOST_CONCAVE: usize = 512;
 
+/// Corners that are apart across their face by more than this share of its length do not lie in a plane.
+const FLAT: f64 = 0.01;
+
 /// Turns whose sine is less than this are straight on.
 const STRAIGHT: f64 = 1e-9;
 
@@ -27,6 +30,8 @@ pub(super) struct Cutter<'a> {
     pub(super) polygons: usize,
     /// Those of them whose outline crosses itself, or which are far from flat.
     pub(super) twisted: usize,
+    /// Those whose corners do not lie in a plane, and how far apart these are across it at most.
+    pub(super) warped: (usize, f64),
 }
 
 impl<'a> Cutter<'a> {
@@ -39,6 +44,7 @@ impl<'a> Cutter<'a> {
             faces: 0,
             polygons: 0,
             twisted: 0,
+            warped: (0, 0.0),
         }
     }
 
@@ -66,6 +72,10 @@ impl<'a> Cutter<'a> {
         }
         self.polygons += 1;
         let points: Vec<DVec3> = (0..corners).map(at).collect();
+        let (warp, length) = warp(&points);
+        if warp > FLAT * length {
+            self.warped = (self.warped.0 + 1, self.warped.1.max(warp));
+        }
         let flat = project(&points);
         if is_strictly_convex(&flat) {
             self.push_fan(&points);
@@ -100,14 +110,24 @@ impl<'a> Cutter<'a> {
     }
 }
 
+/// How far apart the corners of a face are along its normal at most, and how far from the first of them.
+fn warp(points: &[DVec3]) -> (f64, f64) {
+    let normal = newell_normal(points).normalize_or_zero();
+    let from_first = || points.iter().map(|&point| point - points[0]);
+    let heights = || from_first().map(|way| way.dot(normal));
+    let apart = heights().fold(0.0, f64::max) - heights().fold(0.0, f64::min);
+    (apart, from_first().map(DVec3::length).fold(0.0, f64::max))
+}
+
+fn newell_normal(points: &[DVec3]) -> DVec3 {
+    let from_first = |k: usize| points[k % points.len()] - points[0];
+    (0..points.len()).map(|k| from_first(k).cross(from_first(k + 1))).sum()
+}
+
 /// The corners in the plane across the normal of the face, counter-clockwise, about the first of them.
 fn project(points: &[DVec3]) -> Vec<DVec2> {
     let origin = points[0];
-    let mut normal = DVec3::ZERO;
-    for (k, &point) in points.iter().enumerate() {
-        let next = points[(k + 1) % points.len()];
-        normal += (point - origin).cross(next - origin);
-    }
+    let normal = newell_normal(points);
     let size = normal.abs();
     let axis = if size.x >= size.y && size.x >= size.z {
         0
@@ -219,6 +239,25 @@ mod tests {
                 assert_eq!(flat, 0, "no triangle without area: {points:?}");
             }
         }
+    }
+
+    #[test]
+    fn faces_whose_corners_lie_in_no_plane_are_counted_with_how_far_they_are_from_it() {
+        let warped = |height: f64| {
+            let corners = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [0.0, 2.0]];
+            let at = |(k, [x, y]): (usize, [f64; 2])| DVec3::new(x, y, if k == 1 { height } else { 0.0 });
+            let vertices: Vec<DVec3> = corners.into_iter().enumerate().map(at).collect();
+            let mut cutter = Cutter::new(Path::new("face"), &vertices, 0);
+            (0..2).for_each(|_| cutter.add(&[0, 1, 2, 3]).unwrap());
+            cutter.warped
+        };
+        assert_eq!(warped(0.0), (0, 0.0));
+        assert_eq!(warped(0.01), (0, 0.0));
+        // along (-1, 1, 8) two corners lie beyond the others
+        let (count, apart) = warped(0.5);
+        let expected = 2.0 / 66f64.sqrt();
+        assert_eq!(count, 2);
+        assert!((apart - expected).abs() < 1e-12, "{apart}, {expected}");
     }
 
     #[test]
