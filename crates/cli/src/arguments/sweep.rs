@@ -64,8 +64,8 @@ pub struct SweepArguments {
     pub dry_run: bool,
     /// Result for the table, as `mean:coordination@settle`; may be given many times
     ///
-    /// WHAT:COLUMN@STAGE, where WHAT is first, last, mean, deviation (both over time), min or max of a column of the series, in the rows of a
-    /// stage or between two times (`@0.1 s..0.5 s`). WHAT: and @STAGE may be left out: the last row counts. The last row of all
+    /// WHAT:COLUMN@STAGE, where WHAT is first, last, mean, deviation (both over time), min or max of a column of the series, or rate, what it
+    /// gains per time, in the rows of a stage or between two times (`@0.1 s..0.5 s`). WHAT: and @STAGE may be left out: the last row counts. The last row of all
     /// columns is in `results.csv` in any case.
     #[arg(long, value_name = "RESULT")]
     pub result: Vec<String>,

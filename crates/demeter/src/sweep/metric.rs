@@ -23,17 +23,29 @@ pub enum What {
     Min,
     /// The largest.
     Max,
+    /// How fast it rises: what it gains between rows that follow each other, over the time between these.
+    Rate,
+}
+
+/// A value that is told.
+struct Told {
+    value: f64,
+    /// Time that it stands for: half of that to the row before, and half of that to the next [s].
+    time: f64,
+    /// What it is more than in the row before; 0 where that does not count.
+    rise: f64,
 }
 
 impl What {
     /// All of them with their names.
-    pub const ALL: [(&'static str, Self); 6] = [
+    pub const ALL: [(&'static str, Self); 7] = [
         ("first", Self::First),
         ("last", Self::Last),
         ("mean", Self::Mean),
         ("deviation", Self::Deviation),
         ("min", Self::Min),
         ("max", Self::Max),
+        ("rate", Self::Rate),
     ];
 
     fn name(self) -> &'static str {
@@ -43,27 +55,41 @@ impl What {
             .map_or("", |(name, _)| name)
     }
 
-    /// Of values that are no NaN, each with the time that it stands for.
-    fn of(self, values: &[(f64, f64)]) -> f64 {
-        let whole: f64 = values.iter().map(|(_, time)| time).sum();
+    /// Of values that are no NaN.
+    fn of(self, values: &[Told]) -> f64 {
+        let whole: f64 = values.iter().map(|told| told.time).sum();
         let mean = |of: &dyn Fn(f64) -> f64| match whole > 0.0 {
-            true => values.iter().map(|(value, time)| of(*value) * time).sum::<f64>() / whole,
-            false => values.iter().map(|(value, _)| of(*value)).sum::<f64>() / values.len() as f64,
+            true => values.iter().map(|told| of(told.value) * told.time).sum::<f64>() / whole,
+            false => values.iter().map(|told| of(told.value)).sum::<f64>() / values.len() as f64,
         };
-        let each = || values.iter().map(|(value, _)| *value);
+        let each = || values.iter().map(|told| told.value);
         match self {
             _ if values.is_empty() => f64::NAN,
-            Self::First => values[0].0,
-            Self::Last => values[values.len() - 1].0,
+            Self::First => values[0].value,
+            Self::Last => values[values.len() - 1].value,
             Self::Mean => mean(&|value| value),
             Self::Deviation => {
                 // counted from one of them, so that equal values have none
-                let first = values[0].0;
+                let first = values[0].value;
                 let middle = mean(&|value| value - first);
                 mean(&|value| (value - first - middle).powi(2)).sqrt()
             }
             Self::Min => each().fold(f64::INFINITY, f64::min),
             Self::Max => each().fold(f64::NEG_INFINITY, f64::max),
+            // of one row there is none
+            Self::Rate => values.iter().map(|told| told.rise).sum::<f64>() / whole,
+        }
+    }
+
+    /// The unit of what is told of a column with this one.
+    fn unit(self, of_column: Option<&str>) -> Option<String> {
+        match (self, of_column) {
+            (Self::Rate, None) => Some("1/s".to_string()),
+            (Self::Rate, Some(unit)) => Some(match unit.strip_suffix("/s") {
+                Some(_) => format!("{unit}^2"),
+                None => format!("{unit}/s"),
+            }),
+            (_, unit) => unit.map(str::to_string),
         }
     }
 }
@@ -154,13 +180,13 @@ impl Metric {
         }
         let (name, unit) = title
             .split_once(" [")
-            .map_or((title, None), |(name, unit)| (name, Some(unit)));
+            .map_or((title, None), |(name, unit)| (name, Some(unit.trim_end_matches(']'))));
         let place = if self.place.is_empty() {
             String::new()
         } else {
             format!(" in {}", self.place)
         };
-        let unit = unit.map_or(String::new(), |unit| format!(" [{unit}"));
+        let unit = self.what.unit(unit).map_or(String::new(), |unit| format!(" [{unit}]"));
         format!("{} {name}{place}{unit}", self.what.name())
     }
 
@@ -206,17 +232,23 @@ impl Metric {
             Rows::Times(from, to) => (from - half..=to + half).contains(&times[*row]),
         };
         let is_told = |row: &usize| counts(row) && !values[*row].is_nan();
-        let mut told: Vec<(f64, f64)> = Vec::new();
+        let mut told: Vec<Told> = Vec::new();
         let mut before: Option<usize> = None;
         for row in (0..series.rows()).filter(is_told) {
             // what lies between two rows of which one does not count is not known
-            let half = before
-                .filter(|before| before + 1 == row)
-                .map_or(0.0, |before| 0.5 * (times[row] - times[before]));
+            let since = |column: &[f64]| {
+                let before = before.filter(|before| before + 1 == row);
+                before.map_or(0.0, |before| column[row] - column[before])
+            };
+            let half = 0.5 * since(times);
             if let Some(last) = told.last_mut() {
-                last.1 += half;
+                last.time += half;
             }
-            told.push((values[row], half));
+            told.push(Told {
+                value: values[row],
+                time: half,
+                rise: since(values),
+            });
             before = Some(row);
         }
         Ok((self.title(&column.title), self.what.of(&told)))
@@ -250,6 +282,8 @@ mod tests {
                 "max speed [m/s]",
                 "min max speed in 20 ms..0.1 s [m/s]",
             ),
+            ("rate:contacts", "contacts", "rate contacts [1/s]"),
+            ("rate:max speed", "max speed [m/s]", "rate max speed [m/s^2]"),
         ];
         for (told, title, expected) in cases {
             let metric = Metric::read(told).unwrap();
@@ -296,6 +330,17 @@ mod tests {
             [value("mean:f"), value("mean:f@b"), value("mean:f@a")],
             [5.0, 10.0, 1.0]
         );
+        // the rows of a stage and its repeats, not what is between these
+        std::fs::write(
+            &path,
+            "time [s],stage,m [kg]\n0,a 1,1\n2,a 1,3\n3,b 1,9\n4,a 2,8\n6,a 2,12\n",
+        )
+        .unwrap();
+        let repeats = Columns::read(&path).unwrap();
+        let rate = |told: &str| Metric::read(told).unwrap().of(&repeats).unwrap();
+        assert_eq!(rate("rate:m@a"), ("rate m in a [kg/s]".to_string(), 1.5));
+        assert_eq!(rate("rate:m").1, 11.0 / 6.0);
+        assert!(rate("rate:m@b").1.is_nan());
         // rows lie at the steps nearest to the times asked for
         std::fs::write(
             &path,
