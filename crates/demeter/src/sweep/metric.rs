@@ -85,6 +85,7 @@ impl What {
     fn unit(self, of_column: Option<&str>) -> Option<String> {
         match (self, of_column) {
             (Self::Rate, None) => Some("1/s".to_string()),
+            (Self::Rate, Some("J")) => Some("W".to_string()),
             (Self::Rate, Some(unit)) => Some(match unit.strip_suffix("/s") {
                 Some(_) => format!("{unit}^2"),
                 None => format!("{unit}/s"),
@@ -283,6 +284,7 @@ mod tests {
                 "min max speed in 20 ms..0.1 s [m/s]",
             ),
             ("rate:contacts", "contacts", "rate contacts [1/s]"),
+            ("rate:wall shell work", "wall shell work [J]", "rate wall shell work [W]"),
             ("rate:max speed", "max speed [m/s]", "rate max speed [m/s^2]"),
         ];
         for (told, title, expected) in cases {
