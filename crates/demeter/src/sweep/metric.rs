@@ -284,7 +284,11 @@ mod tests {
                 "min max speed in 20 ms..0.1 s [m/s]",
             ),
             ("rate:contacts", "contacts", "rate contacts [1/s]"),
-            ("rate:wall shell work", "wall shell work [J]", "rate wall shell work [W]"),
+            (
+                "rate:wall shell work",
+                "wall shell work [J]",
+                "rate wall shell work [W]",
+            ),
             ("rate:max speed", "max speed [m/s]", "rate max speed [m/s^2]"),
         ];
         for (told, title, expected) in cases {
